@@ -7,9 +7,10 @@ find_package(TBB REQUIRED)
 find_package(nlohmann_json 3.9 REQUIRED)
 find_package(fmt REQUIRED)
 
+# The module must be built for, and the tests run by, the Python of FreeCAD, whatever else is first in PATH.
+set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that FreeCAD uses")
+
 if(LAMINATE_OFFSET_BUILD_PYTHON)
-    # The module must be built for the Python of FreeCAD, whatever else is first in PATH.
-    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that FreeCAD uses")
     find_package(Python3 3.8 REQUIRED COMPONENTS Interpreter Development.Module)
     # pybind11 must not look for a Python of its own.
     set(PYBIND11_FINDPYTHON OFF)
