@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Constant-distance offsets of trimmed NURBS faces for FreeCAD.
+
+    import laminate_offset as lo
+    result = lo.offset_face(face, 5.0)      # mm, along the face's outward normal
+    result.face                             # Part.Face
+    result.report.to_json()
+
+Lengths are in mm. A distance is signed along the face's outward normal, the face's orientation included: reversing
+the face turns the sign. A face that cannot be offset raises OffsetError, which says why, where and what would work.
+"""
+
+import sys
+
+from ._freecad import ensure_freecad
+
+ensure_freecad()
+
+try:
+    from . import _core
+except ImportError as error:
+    raise ImportError(
+        f"laminate_offset's compiled part could not be loaded by Python {sys.version_info[0]}.{sys.version_info[1]}: "
+        f"{error}. Build and use it with the Python of FreeCAD (on Debian /usr/bin/python3)."
+    ) from error
+
+from .api import OffsetResult, offset_face
+from .errors import OffsetError
+from .exchange import select_at_import, shape_exchange
+from .report import OffsetReport
+
+select_at_import()
+
+__version__: str = _core.__version__
+__all__ = ["OffsetError", "OffsetReport", "OffsetResult", "offset_face", "shape_exchange"]

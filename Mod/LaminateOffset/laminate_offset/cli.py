@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line laminate-offset.
+
+Exit codes: 0 done; 1 a face was refused or failed (reasons on stderr and in the report); 2 bad usage, unreadable input
+or unwritable output; 130 cancelled with Ctrl-C, nothing written.
+"""
+
+import argparse
+import os
+import sys
+from typing import Any, Dict, List, Optional, TextIO, Tuple
+
+import Part
+
+from . import __version__, _core
+from .api import OffsetResult, Progress, offset_face
+from .errors import OffsetError
+from .files import FileError, check_writable, format_of, read_faces, write_json, write_shape
+
+DONE, REFUSED, BAD_USAGE, CANCELLED = 0, 1, 2, 130
+
+
+def main(argv: Optional[List[str]] = None) -> int:
+    """Runs the command line of this process and returns its exit code.
+
+    Everything that the geometry kernel or FreeCAD prints to standard output is dropped: only our own lines go there.
+    """
+    arguments = build_parser().parse_args(_glue_negative_numbers(sys.argv[1:] if argv is None else argv))
+    with _take_over_stdout() as out:
+        return run(arguments, out, sys.stderr)
+
+
+def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
+    """Carries out parsed arguments, with results on `out` and reasons on `err`; returns the exit code."""
+    try:
+        code: int = arguments.command(arguments, out, err)
+        return code
+    except (FileError, ValueError) as error:
+        print(f"laminate-offset: {error}", file=err)
+        return BAD_USAGE
+    except KeyboardInterrupt:
+        print("laminate-offset: cancelled; nothing was written.", file=err)
+        return CANCELLED
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The parser, with its help texts."""
+    parser = argparse.ArgumentParser(
+        prog="laminate-offset",
+        description="Offsets trimmed CAD faces by a constant normal distance, within a tolerance. All lengths in mm.",
+        epilog="Exit codes: 0 done; 1 a face was refused or failed; 2 bad usage or unreadable input; 130 cancelled.",
+    )
+    parser.add_argument("--version", action="version", version=f"laminate-offset {__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _add_offset_command(commands)
+    return parser
+
+
+def _add_offset_command(commands: Any) -> None:
+    defaults = _core.default_options()
+    parser = commands.add_parser(
+        "offset",
+        help="offset one face of a file, or every face by itself",
+        description="Offsets one face of a STEP, IGES, BREP or FCStd file, or every face by itself.",
+        epilog="With --face all the output is one compound of the faces that succeeded, in their order, and the "
+        "report is a list with every face.",
+    )
+    parser.set_defaults(command=_offset)
+    add = parser.add_argument
+    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
+    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    add(
+        "--distance",
+        required=True,
+        type=float,
+        metavar="D",
+        help="signed distance in mm along the face's outward normal; negative goes inwards",
+    )
+    add("--tolerance", type=float, default=defaults["tolerance"], metavar="T", help="in mm (default: %(default)s)")
+    add(
+        "--method",
+        choices=("same-parameter", "ravi-kumar"),
+        default=defaults["method"],
+        help="route to the offset (default: %(default)s)",
+    )
+    add(
+        "--extension",
+        type=float,
+        default=defaults["extension"],
+        metavar="E",
+        help="length in mm to extend the result past the edges (default: %(default)s)",
+    )
+    add(
+        "--max-degree",
+        type=int,
+        default=defaults["max_degree"],
+        metavar="P",
+        help="highest degree of the surface (default: %(default)s)",
+    )
+    add(
+        "-o",
+        "--output",
+        metavar="OUT",
+        help=".step, .iges, .brep or .FCStd file (default: the input's name with _offset.step, in this folder)",
+    )
+    add("--report", metavar="R.json", help="write the report as JSON")
+
+
+def _face_number(text: str) -> Optional[int]:
+    """A face number, or None for all."""
+    if text == "all":
+        return None
+    try:
+        number = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is neither a face number nor all") from None
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number}: faces count from 1")
+    return number
+
+
+def _glue_negative_numbers(argv: List[str]) -> List[str]:
+    """Writes "--distance -5e-1" as "--distance=-5e-1": argparse takes a number with an exponent for an option."""
+    glued: List[str] = []
+    for text in argv:
+        if glued and glued[-1] == "--distance" and text.startswith("-"):
+            glued[-1] += "=" + text
+        else:
+            glued.append(text)
+    return glued
+
+
+def _take_over_stdout() -> TextIO:
+    """A stream to standard output for our own use; whatever else is printed there from now on is dropped."""
+    sys.stdout.flush()
+    own = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), 1)
+    return own
+
+
+def _offset(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
+    output = arguments.output or _default_output(arguments.input)
+    _check_outputs(arguments.input, output, arguments.report)
+    chosen = _choose(read_faces(arguments.input), arguments.face, arguments.input)
+    faces, reports = _offset_each(chosen, arguments, out, err)
+    if faces:
+        shape = faces[0] if arguments.face is not None else Part.makeCompound(faces)
+        write_shape(shape, output, f"Offset {arguments.distance:g} mm")
+        print(f"laminate-offset: wrote {output}", file=err)
+    if arguments.report:
+        write_json(reports[0] if arguments.face is not None else reports, arguments.report)
+    return DONE if len(faces) == len(chosen) else REFUSED
+
+
+def _default_output(source: str) -> str:
+    return os.path.splitext(os.path.basename(source))[0] + "_offset.step"
+
+
+def _check_outputs(source: str, output: str, report: Optional[str]) -> None:
+    """Finds out before the work whether its results can be kept, and that they replace neither input nor each other."""
+    format_of(output)
+    for path in (output, report):
+        if path is None:
+            continue
+        if _is_same_file(path, source):
+            raise FileError(f"{path}: is the input; name another file for the result.")
+        check_writable(path)
+    if report is not None and _is_same_file(report, output):
+        raise FileError(f"{report}: is also the output; give the report a name of its own.")
+
+
+def _is_same_file(first: str, second: str) -> bool:
+    if os.path.exists(first) and os.path.exists(second):
+        return os.path.samefile(first, second)
+    return os.path.realpath(first) == os.path.realpath(second)
+
+
+def _choose(faces: List["Part.Face"], number: Optional[int], source: str) -> List[Tuple[int, "Part.Face"]]:
+    """The numbered faces to offset."""
+    numbered = list(enumerate(faces, start=1))
+    if number is None:
+        return numbered
+    if number > len(faces):
+        raise FileError(f"{source}: there is no face {number}; it has {len(faces)}.")
+    return [numbered[number - 1]]
+
+
+def _offset_each(
+    chosen: List[Tuple[int, "Part.Face"]], arguments: argparse.Namespace, out: TextIO, err: TextIO
+) -> Tuple[List["Part.Face"], List[Dict[str, Any]]]:
+    """The new faces, and the reports of all; a refusal does not stop the others."""
+    faces: List["Part.Face"] = []
+    reports: List[Dict[str, Any]] = []
+    with _Bar(len(chosen), err) as bar:
+        for done, (number, face) in enumerate(chosen):
+            try:
+                result = _offset_one(face, arguments, bar.progress_after(done))
+                faces.append(result.face)
+                report = result.report
+                bar.write(f"face {number}: {report.summary()}", out)
+            except OffsetError as refusal:
+                report = refusal.report
+                bar.write(f"laminate-offset: face {number} refused at {refusal.stage}: {refusal}", err)
+            reports.append({"face": number, **report.to_dict()})
+    return faces, reports
+
+
+def _offset_one(face: "Part.Face", arguments: argparse.Namespace, progress: Progress) -> OffsetResult:
+    try:
+        return offset_face(
+            face,
+            arguments.distance,
+            arguments.tolerance,
+            arguments.method,
+            arguments.extension,
+            arguments.max_degree,
+            progress,
+        )
+    except OffsetError:
+        raise
+    except (RuntimeError, MemoryError) as error:
+        raise OffsetError("kernel-error", "input", f"The face could not be processed: {error}") from error
+
+
+class _Bar:
+    """A progress bar on a terminal, where tqdm is installed; otherwise nothing is drawn."""
+
+    def __init__(self, faces: int, stream: TextIO) -> None:
+        self._bar: Any = None
+        if stream.isatty():
+            try:
+                from tqdm import tqdm
+            except ImportError:
+                return
+            form = "{l_bar}{bar}| {elapsed}<{remaining}"
+            self._bar = tqdm(total=float(faces), file=stream, leave=False, desc="offset", bar_format=form)
+
+    def __enter__(self) -> "_Bar":
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+    def progress_after(self, done: int) -> Progress:
+        """The callback for the face that follows `done` finished ones."""
+
+        def show(fraction: float) -> None:
+            if self._bar is not None:
+                self._bar.n = done + fraction
+                self._bar.refresh()
+
+        return show
+
+    def write(self, line: str, stream: TextIO) -> None:
+        """Prints a line without tearing the bar."""
+        if self._bar is not None:
+            self._bar.clear()
+        print(line, file=stream, flush=True)

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads faces from CAD files and writes shapes, without FreeCAD's GUI. Coordinates are in mm."""
+
+import json
+import os
+import shutil
+import tempfile
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, List
+
+import FreeCAD
+import Part
+
+FORMATS = {
+    ".step": "STEP",
+    ".stp": "STEP",
+    ".iges": "IGES",
+    ".igs": "IGES",
+    ".brep": "BREP",
+    ".brp": "BREP",
+    ".fcstd": "FCStd",
+}
+
+
+class FileError(Exception):
+    """A file that cannot be read or written; the text names the file and the reason."""
+
+
+def format_of(path: str) -> str:
+    """The format by the name's ending, in any case: "STEP", "IGES", "BREP" or "FCStd"."""
+    extension = os.path.splitext(path)[1]
+    try:
+        return FORMATS[extension.lower()]
+    except KeyError:
+        raise FileError(f"{path}: '{extension}' is not a known format; use one of {', '.join(FORMATS)}.") from None
+
+
+def read_faces(path: str) -> List["Part.Face"]:
+    """Every face of a STEP, IGES, BREP or FCStd file, in the order in which FreeCAD numbers them.
+
+    Of an FCStd file the visible Part features count, in document order. Raises FileError.
+    """
+    file_format = format_of(path)
+    if not os.path.isfile(path):
+        raise FileError(f"{path}: there is no such file.")
+    if not os.access(path, os.R_OK):
+        raise FileError(f"{path}: reading it is not permitted.")
+    try:
+        shapes = _read_document(path) if file_format == "FCStd" else [_read_shape(path)]
+    except Exception as error:  # the readers' own exceptions share no base class
+        raise FileError(f"{path}: could not be read as {file_format}: {error}") from error
+    faces = [face for shape in shapes for face in shape.Faces]
+    if not faces:
+        of_what = "visible Part feature with faces" if file_format == "FCStd" else "face"
+        raise FileError(f"{path}: it was read as {file_format} but holds no {of_what}.")
+    return faces
+
+
+def write_shape(shape: "Part.Shape", path: str, label: str) -> None:
+    """Writes a shape as STEP, IGES, BREP or FCStd (one Part feature of that label); replaces a file in one step."""
+    write = {"STEP": _write_step, "IGES": _write_iges, "BREP": _write_brep, "FCStd": _write_document}[format_of(path)]
+    with replacing(path) as temporary:
+        write(shape, temporary, label)
+
+
+def write_json(content: Any, path: str) -> None:
+    """Writes indented JSON; replaces a file in one step."""
+    with replacing(path) as temporary:
+        with open(temporary, "w", encoding="utf-8") as stream:
+            json.dump(content, stream, indent=2, ensure_ascii=False)
+            stream.write("\n")
+
+
+@contextmanager
+def replacing(path: str) -> Iterator[str]:
+    """A path to write to, which becomes `path` when the block ends without an exception.
+
+    It is a file of the same name in a folder of its own beside the target: some writers put the name into the file,
+    and within one file system the move is a single step.
+    """
+    target = os.path.realpath(path)
+    try:
+        folder = tempfile.mkdtemp(prefix=".laminate-offset-", dir=os.path.dirname(target))
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error.strerror}.") from error
+    try:
+        temporary = os.path.join(folder, os.path.basename(target))
+        yield temporary
+        if not os.path.isfile(temporary):
+            raise FileError(f"{path}: nothing was written; is the disk full?")
+        os.replace(temporary, target)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error}") from error
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def check_writable(path: str) -> None:
+    """Raises FileError now if `path` could not be written later; leaves nothing behind."""
+    if os.path.isdir(path):
+        raise FileError(f"{path}: is a folder; name a file.")
+    folder = os.path.dirname(os.path.realpath(path))
+    if not os.path.isdir(folder):
+        raise FileError(f"{path}: there is no folder {folder}; make it first.")
+    try:
+        os.rmdir(tempfile.mkdtemp(prefix=".laminate-offset-", dir=folder))
+    except OSError as error:
+        raise FileError(f"{path}: the folder cannot be written to: {error.strerror}.") from error
+
+
+def _read_shape(path: str) -> "Part.Shape":
+    shape = Part.Shape()
+    shape.read(path)
+    return shape
+
+
+def _read_document(path: str) -> List["Part.Shape"]:
+    with _document(lambda: FreeCAD.openDocument(path, True)) as document:
+        return [_placed_shape(feature) for feature in document.Objects if _is_shown(feature)]
+
+
+def _is_shown(feature: Any) -> bool:
+    """True for a Part feature which the 3-D view would show, and only once: a body stands for its features."""
+    if not feature.isDerivedFrom("Part::Feature") or feature.Shape.isNull():
+        return False
+    group = feature.getParentGeoFeatureGroup()
+    if group is not None and group.isDerivedFrom("Part::BodyBase"):
+        return False
+    while feature is not None:
+        if not feature.Visibility:
+            return False
+        feature = feature.getParentGeoFeatureGroup()
+    return True
+
+
+def _placed_shape(feature: Any) -> "Part.Shape":
+    shape = feature.Shape.copy()
+    shape.Placement = feature.getGlobalPlacement()
+    return shape
+
+
+@contextmanager
+def _document(make: Callable[[], Any]) -> Iterator[Any]:
+    """A document that is closed again, and the active document as it was."""
+    before = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument is not None else None
+    document = make()
+    try:
+        yield document
+    finally:
+        FreeCAD.closeDocument(document.Name)
+        if before is not None:
+            FreeCAD.setActiveDocument(before)
+
+
+def _write_step(shape: "Part.Shape", path: str, _label: str) -> None:
+    shape.exportStep(path)
+
+
+def _write_iges(shape: "Part.Shape", path: str, _label: str) -> None:
+    shape.exportIges(path)
+
+
+def _write_brep(shape: "Part.Shape", path: str, _label: str) -> None:
+    shape.exportBrep(path)
+
+
+def _write_document(shape: "Part.Shape", path: str, label: str) -> None:
+    name = os.path.splitext(os.path.basename(path))[0]
+    with _document(lambda: FreeCAD.newDocument(name, hidden=True)) as document:
+        feature = document.addObject("Part::Feature", "Offset")
+        feature.Label = label
+        feature.Shape = shape
+        document.saveAs(path)

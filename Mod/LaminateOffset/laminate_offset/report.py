@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of one face, as the engine gives it and as it is stored in JSON."""
+
+import copy
+import json
+from typing import Any, Dict, Iterator, Mapping
+
+
+class Fields(Mapping[str, Any]):
+    """Read-only named values, as keys and as attributes: fields["poles_u"] and fields.poles_u are the same."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values: Dict[str, Any] = copy.deepcopy(dict(values))
+
+    def __getitem__(self, key: str) -> Any:
+        value = self._values[key]
+        return Fields(value) if isinstance(value, dict) else copy.deepcopy(value)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __getattr__(self, name: str) -> Any:
+        # Underscored names are never fields; asking for them first keeps copying and pickling from recursing.
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"{type(self).__name__} has no field '{name}'")
+        return self[name]
+
+    def __dir__(self) -> Iterator[str]:
+        yield from super().__dir__()
+        yield from self._values
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self._values!r})"
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The values as plain dicts, lists, numbers and strings; a copy."""
+        return copy.deepcopy(self._values)
+
+
+class OffsetReport(Fields):
+    """What was done to one face, with measured and proven figures.
+
+    Every field of the JSON format is an attribute: status, stage, message, where, method, distance, tolerance,
+    certified_error, sampled_error, edge_error, surface, limits, loops, edges, elapsed_ms. Lengths are in mm, times in
+    ms; distance and limits are signed along the base face's outward normal, its orientation included. A figure which
+    was not computed is None.
+    """
+
+    def to_json(self) -> str:
+        """The report as indented JSON text."""
+        return json.dumps(self._values, indent=2, ensure_ascii=False)
+
+    @classmethod
+    def from_json(cls, text: str) -> "OffsetReport":
+        """The report which to_json wrote."""
+        return cls(json.loads(text))
+
+    def summary(self) -> str:
+        """One line for a person: the outcome, and the size and error of the result."""
+        if self.status != "ok":
+            return f"refused ({self.status}, {self.stage}): {self.message}"
+        return f"ok, {self._surface_in_words()}, {self._error_in_words()}"
+
+    def _surface_in_words(self) -> str:
+        surface = self.surface
+        if surface.type != "bspline":
+            return f"exact {surface.type}"
+        kind = "rational B-spline" if surface.rational else "B-spline"
+        return f"{kind}, degree {surface.degree_u} x {surface.degree_v}, {surface.poles_u} x {surface.poles_v} poles"
+
+    def _error_in_words(self) -> str:
+        if self.certified_error is not None:
+            return f"proven error {self.certified_error:.3g} mm"
+        if self.sampled_error is not None:
+            return f"sampled error {self.sampled_error:.3g} mm"
+        return "error not measured"

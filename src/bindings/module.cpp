@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! The extension module laminate_offset._core. It holds no policy: the package around it converts
+//! units, chooses the way of shape exchange and documents the interface.
+#include "offset_face_binding.h"
+#include "offset_options_binding.h"
+#include "shape_exchange.h"
+
+#include <Standard_Failure.hxx>
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace
+{
+
+//! OpenCASCADE's exceptions are no std::exception: without this they would end the process.
+void translate_kernel_failure(std::exception_ptr raised)
+{
+    try
+    {
+        if (raised)
+            std::rethrow_exception(raised);
+    }
+    catch (const Standard_Failure &failure)
+    {
+        const std::string text =
+            std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + ": " + failure.GetMessageString();
+        PyErr_SetString(PyExc_RuntimeError, text.c_str());
+    }
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+    module.doc() = "Compiled part of laminate_offset. Use the functions of laminate_offset instead.";
+    module.attr("__version__") = LAMINATE_OFFSET_VERSION;
+    pybind11::register_local_exception_translator(translate_kernel_failure);
+    laminate_offset::python::bind_shape_exchange(module);
+    laminate_offset::python::bind_offset_options(module);
+    laminate_offset::python::bind_offset_face(module);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! A Failure of the core as the Python exception laminate_offset.OffsetError or ValueError.
+#pragma once
+
+#include <laminate_offset/base/options.h>
+#include <laminate_offset/base/result.h>
+
+namespace laminate_offset::python
+{
+
+//! Raises ValueError for an argument out of its range and OffsetError for every other refusal.
+//! Needs the GIL.
+[[noreturn]] void raise(const Failure &failure, const OffsetOptions &options);
+
+} // namespace laminate_offset::python

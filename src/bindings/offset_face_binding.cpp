@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset_face_binding.h"
+
+#include "offset_error.h"
+#include "offset_options_binding.h"
+#include "offset_report_binding.h"
+#include "python_progress.h"
+#include "shape_exchange.h"
+
+#include <laminate_offset/offset_face.h>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+
+#include <optional>
+#include <pybind11/stl.h>
+#include <string>
+
+namespace py = pybind11;
+
+namespace laminate_offset::python
+{
+namespace
+{
+
+bool has_surface(const TopoDS_Shape &shape)
+{
+    if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
+        return false;
+    TopLoc_Location location;
+    return !BRep_Tool::Surface(TopoDS::Face(shape), location).IsNull();
+}
+
+//! A face of its own topology over the same surface and curves. While the engine works without the
+//! GIL, FreeCAD may mesh the original on another thread, which changes its TShape.
+TopoDS_Shape detached(const TopoDS_Shape &shape)
+{
+    if (!has_surface(shape))
+        return shape;
+    try
+    {
+        return BRepBuilderAPI_Copy(shape, /*copyGeom=*/false, /*copyMesh=*/false).Shape();
+    }
+    catch (const Standard_Failure &)
+    {
+        return shape; // too broken to copy: the engine says what is wrong with it
+    }
+}
+
+Result<OffsetResult> run_without_gil(const TopoDS_Shape &base, OffsetOptions options, PythonProgress &progress)
+{
+    options.progress = [&progress](double fraction) { return progress.report(fraction); };
+    const py::gil_scoped_release release;
+    Result<OffsetResult> result = offset_face(base, options);
+    if (result && progress.cancelled())
+        return Failure{Status::Cancelled, Stage::Report, std::string(sentence(Status::Cancelled)), {}, {}};
+    return result;
+}
+
+py::tuple offset_face_for_python(const py::object &shape, double distance, double tolerance, const std::string &method,
+                                 double extension, std::optional<int> max_degree, py::object callback)
+{
+    const OffsetOptions options = make_options(distance, tolerance, method, extension, max_degree);
+    const TopoDS_Shape base = from_part(shape, selected_exchange());
+    if (const Result<bool> checked = check(options); !checked)
+        raise(checked.failure(), options);
+    PythonProgress progress(std::move(callback));
+    const Result<OffsetResult> result = run_without_gil(detached(base), options, progress);
+    progress.rethrow();
+    if (!result)
+        raise(result.failure(), options);
+    return py::make_tuple(to_part(result.value().face, selected_exchange()), to_python(result.value().report));
+}
+
+} // namespace
+
+void bind_offset_face(py::module_ &module)
+{
+    const OffsetOptions defaults;
+    module.def("offset_face", &offset_face_for_python, py::arg("shape"), py::arg("distance"),
+               py::arg("tolerance") = defaults.tolerance, py::arg("method") = std::string(name(defaults.method)),
+               py::arg("extension") = defaults.extension, py::arg("max_degree") = py::none(),
+               py::arg("progress") = py::none(),
+               "Offsets one Part.Face; lengths in mm, the distance signed along the face's outward normal. Returns "
+               "the new face and the report as a dict, or raises OffsetError, ValueError or TypeError.");
+}
+
+} // namespace laminate_offset::python
