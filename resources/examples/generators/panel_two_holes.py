@@ -16,7 +16,7 @@ from typing import Tuple
 import trimmed_face as tf
 
 NAME = "panel_two_holes"
-LENGTH = 2900.0  # mm, along the barrel, u
+LENGTH = 3260.0  # mm, along the barrel, u
 GIRTH = 1800.0  # mm, around the barrel, v
 RADIUS = 2000.0  # mm, of the barrel's cross-section at u = 0
 POLES = (9, 7)
@@ -35,16 +35,16 @@ def make() -> "tf.Part.Face":
     """The panel as a Part.Face."""
     half = 0.5 * GIRTH
     surface = tf.spline_surface(barrel, (0.0, LENGTH), (-half, half), POLES)
-    corners = [(130.0, -720.0), (2780.0, -640.0), (2730.0, 700.0), (190.0, 660.0)]
+    corners = [(150.0, -740.0), (3120.0, -660.0), (3065.0, 720.0), (215.0, 680.0)]
     outer = [
-        tf.bezier(corners[0], (1000.0, -820.0), (2000.0, -800.0), corners[1]),
-        tf.bezier(corners[1], (2850.0, 0.0), corners[2]),
-        tf.bezier(corners[2], (1950.0, 780.0), (1000.0, 800.0), corners[3]),
-        tf.bezier(corners[3], (90.0, 0.0), corners[0]),
+        tf.bezier(corners[0], (1100.0, -840.0), (2250.0, -820.0), corners[1]),
+        tf.bezier(corners[1], (3195.0, 0.0), corners[2]),
+        tf.bezier(corners[2], (2190.0, 800.0), (1120.0, 820.0), corners[3]),
+        tf.bezier(corners[3], (105.0, 0.0), corners[0]),
     ]
-    tips = [(620.0, -330.0), (560.0, 300.0), (1240.0, 60.0)]
+    tips = [(660.0, -340.0), (590.0, 310.0), (1350.0, 60.0)]
     triangle = [tf.segment(start, end) for start, end in zip(tips, tips[1:] + tips[:1])]
-    oval = tf.ellipse_arcs((1970.0, -40.0), (370.0, 260.0), 2)
+    oval = tf.ellipse_arcs((2200.0, -40.0), (400.0, 280.0), 2)
     return tf.trimmed_face(surface, [outer, triangle, oval])
 
 

@@ -80,7 +80,7 @@ def spline_surface(
         [float(k) for k in distinct[1][0]],
         False,
         False,
-        *degrees
+        *degrees,
     )
     return surface
 
@@ -181,6 +181,6 @@ def run(script: str, name: str, make: Callable[[], Part.Face], arguments: Sequen
     write_step(face, path, name)
     print(
         "%s: %d loops, %d edges, %.0f mm diagonal, %.0f mm2"
-        % (path, len(face.Wires), len(face.Edges), face.BoundBox.DiagonalLength, face.Area)
+        % (path, len(face.Wires), len(face.Edges), face.optimalBoundingBox().DiagonalLength, face.Area)
     )
     return path
