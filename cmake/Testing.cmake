@@ -28,16 +28,18 @@ set(laminate_offset_test_environment
     "LAMINATE_OFFSET_BUILD_DIR=${PROJECT_BINARY_DIR}"
 )
 if(LAMINATE_OFFSET_SANITIZERS MATCHES "address")
-    # Python itself is not instrumented: the sanitizer's library must come first, and what Python
-    # and FreeCAD keep until exit is not ours to report.
-    execute_process(
-        COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
-        OUTPUT_VARIABLE laminate_offset_asan_library
-        OUTPUT_STRIP_TRAILING_WHITESPACE
-    )
-    list(APPEND laminate_offset_test_environment "LD_PRELOAD=${laminate_offset_asan_library}"
-         "ASAN_OPTIONS=detect_leaks=0"
-    )
+    # Python itself is not instrumented: the sanitizer's library must come first, and the C++ library
+    # with it, or its interception of exceptions fails. What Python and FreeCAD keep until exit is not ours to report.
+    foreach(library asan stdc++)
+        execute_process(
+            COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=lib${library}.so
+            OUTPUT_VARIABLE laminate_offset_library
+            OUTPUT_STRIP_TRAILING_WHITESPACE
+        )
+        list(APPEND laminate_offset_preload ${laminate_offset_library})
+    endforeach()
+    list(JOIN laminate_offset_preload ":" laminate_offset_preload)
+    list(APPEND laminate_offset_test_environment "LD_PRELOAD=${laminate_offset_preload}" "ASAN_OPTIONS=detect_leaks=0")
 endif()
 
 # laminate_offset_add_pytest(NAME <name> FILE <file> LABEL <label> [XVFB] [TIMEOUT <seconds>] [DEPENDS <fixture>...])
