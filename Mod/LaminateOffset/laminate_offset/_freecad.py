@@ -43,5 +43,16 @@ def ensure_freecad() -> None:
             raise ImportError(_HINT.format(problem=f"{module} could not be loaded ({error})")) from error
 
 
+def add_workbench_folders() -> None:
+    """Lets a document load the modules of its objects: FreeCAD itself does so at start, a plain python3 does not."""
+    import FreeCAD
+
+    roots = (FreeCAD.getResourceDir(), FreeCAD.getHomePath(), FreeCAD.getUserAppDataDir())
+    for root in roots:
+        for folder in [os.path.join(root, "Mod"), *sorted(glob.glob(os.path.join(root, "Mod", "*")))]:
+            if os.path.isdir(folder) and folder not in sys.path:
+                sys.path.append(folder)
+
+
 def _importable(module: str) -> bool:
     return module in sys.modules or importlib.util.find_spec(module) is not None

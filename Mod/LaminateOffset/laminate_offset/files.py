@@ -5,11 +5,15 @@ import json
 import os
 import shutil
 import tempfile
+import zipfile
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, List
+from typing import Any, Callable, Iterator, List, Set
+from xml.etree.ElementTree import iterparse
 
 import FreeCAD
 import Part
+
+from ._freecad import add_workbench_folders
 
 FORMATS = {
     ".step": "STEP",
@@ -48,7 +52,7 @@ def read_faces(path: str) -> List["Part.Face"]:
     try:
         shapes = _read_document(path) if file_format == "FCStd" else [_read_shape(path)]
     except Exception as error:  # the readers' own exceptions share no base class
-        raise FileError(f"{path}: could not be read as {file_format}: {error}") from error
+        raise FileError(f"{path}: could not be read as {file_format}: {_reason(error)}") from error
     faces = [face for shape in shapes for face in shape.Faces]
     if not faces:
         of_what = "visible Part feature with faces" if file_format == "FCStd" else "face"
@@ -114,9 +118,25 @@ def _read_shape(path: str) -> "Part.Shape":
     return shape
 
 
+def _reason(error: Exception) -> str:
+    """The exception's text; FreeCAD's own exceptions carry a dict instead."""
+    details = error.args[0] if error.args else ""
+    return str(details["sErrMsg"]) if isinstance(details, dict) and "sErrMsg" in details else str(error)
+
+
 def _read_document(path: str) -> List["Part.Shape"]:
+    add_workbench_folders()
     with _document(lambda: FreeCAD.openDocument(path, True)) as document:
+        lost = _stored_names(path) - {feature.Name for feature in document.Objects}
+        if lost:
+            raise FileError(f"{', '.join(sorted(lost))} need a workbench that this FreeCAD cannot load")
         return [_placed_shape(feature) for feature in document.Objects if _is_shown(feature)]
+
+
+def _stored_names(path: str) -> Set[str]:
+    """The names of the objects in the file: FreeCAD drops those whose workbench it cannot load."""
+    with zipfile.ZipFile(path) as archive, archive.open("Document.xml") as stream:
+        return {element.attrib["name"] for _, element in iterparse(stream) if element.tag == "Object"}
 
 
 def _is_shown(feature: Any) -> bool:
