@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Registers the workbench. FreeCAD executes this file without __file__ and with its own local scope, so paths come
+from the package and every name that a method needs is imported inside the method."""
+
+import FreeCADGui
+
+
+class LaminateOffsetWorkbench(FreeCADGui.Workbench):
+    """Offset surfaces for composite lay-up."""
+
+    MenuText = "Laminate Offset"
+    ToolTip = "Offset surfaces of trimmed NURBS faces for composite lay-up"
+
+    def __init__(self):
+        import importlib.util
+        import os
+
+        # The package is only located here, not imported: a start of FreeCAD must not load the engine.
+        package = importlib.util.find_spec("laminate_offset").submodule_search_locations[0]
+        self.__class__.Icon = os.path.join(os.path.dirname(package), "resources", "icons", "LaminateOffset.svg")
+
+    def Initialize(self):
+        """Adds commands, toolbar and menu when the workbench is first activated."""
+        from laminate_offset.gui import commands, resources
+
+        resources.register()
+        names = commands.register()
+        self.appendToolbar("Laminate Offset", names)
+        self.appendMenu("&Laminate Offset", names)
+
+    def ContextMenu(self, recipient):
+        """Offers the commands on the selected faces in the 3-D view and in the tree."""
+        from laminate_offset.gui import commands
+
+        self.appendContextMenu("", commands.names())
+
+    def GetClassName(self):
+        """The C++ class behind a workbench written in Python."""
+        return "Gui::PythonWorkbench"
+
+
+FreeCADGui.addWorkbench(LaminateOffsetWorkbench())

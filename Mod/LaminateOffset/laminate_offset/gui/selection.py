@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user has selected or picks, as links to faces."""
+
+from typing import Any, Callable, List, Tuple
+
+from ..features.base_face import is_face
+
+#: An object and paths of its faces, e.g. (Part, ["Body.Pad.Face1"]).
+Link = Tuple[Any, List[str]]
+
+
+def selected_faces() -> List[Link]:
+    """The selected faces, one link per top-level object, with paths through all containers.
+
+    An object that consists of a single face counts as that face.
+    """
+    import FreeCADGui
+
+    links = []
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        subs = [sub for sub in selected.SubElementNames if is_face(sub)]
+        if not subs:
+            paths = selected.SubElementNames or [""]
+            subs = [path + "Face1" for path in paths if _is_single_face(selected.Object, path)]
+        if subs:
+            links.append((selected.Object, subs))
+    return links
+
+
+def _is_single_face(obj: Any, path: str) -> bool:
+    if path and not path.endswith("."):
+        return False
+    shape = obj.getSubObject(path)
+    return getattr(shape, "Faces", None) is not None and len(shape.Faces) == 1
+
+
+class FaceGate:
+    """Lets the user pick faces only, and none that depend on the objects being edited."""
+
+    def __init__(self, features: List[Any]):
+        self._excluded = set(features)
+        for feature in features:
+            self._excluded.update(feature.InListRecursive)
+
+    def allow(self, _doc: Any, obj: Any, sub: str) -> bool:
+        """Called by FreeCAD for whatever is under the mouse."""
+        return is_face(sub) and obj not in self._excluded
+
+
+class FacePicker:
+    """While started, hands every picked face to a callback as (object, path)."""
+
+    def __init__(self, features: List[Any], picked: Callable[[Any, str], None]):
+        self._features = features
+        self._picked = picked
+        self._running = False
+
+    def start(self) -> None:
+        """Only faces can be picked from now on."""
+        import FreeCADGui
+
+        if not self._running:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelectionGate(FaceGate(self._features))
+            FreeCADGui.Selection.addObserver(self, 0)
+            self._running = True
+
+    def stop(self) -> None:
+        """Back to free selection. Harmless when not started."""
+        import FreeCADGui
+
+        if self._running:
+            FreeCADGui.Selection.removeObserver(self)
+            FreeCADGui.Selection.removeSelectionGate()
+            self._running = False
+
+    def addSelection(self, doc: str, obj: str, sub: str, _point: Any) -> None:
+        """Called by FreeCAD for each addition to the selection."""
+        import FreeCAD
+
+        if is_face(sub):
+            self._picked(FreeCAD.getDocument(doc).getObject(obj), sub)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How an offset face looks, and its editing by double click."""
+
+from typing import Any
+
+from .. import progress as progress_dialog
+from ...features import progress
+from ..resources import icon
+
+#: A blue that differs from FreeCAD's grey default; see-through enough to show the base behind it.
+COLOUR = (0.36, 0.59, 0.84)
+TRANSPARENCY = 35
+
+progress.install(progress_dialog.dialog)
+
+
+class OffsetFaceViewProvider:
+    """Proxy of the view provider. Colours are set once, at creation: later they are the user's."""
+
+    def __init__(self, vobj: Any):
+        vobj.Proxy = self
+        vobj.ShapeColor = COLOUR
+        vobj.Transparency = TRANSPARENCY
+
+    def attach(self, vobj: Any) -> None:
+        """Called by FreeCAD at creation and after loading."""
+        self.Object = vobj.Object
+
+    def getIcon(self) -> str:
+        """Icon in the tree."""
+        return icon("LaminateOffset_OffsetFace")
+
+    def setEdit(self, vobj: Any, mode: int = 0) -> Any:
+        """Opens the task panel; other modes (transform, colour) are FreeCAD's."""
+        if mode != 0:
+            return None
+        from ..panels.offset_face import edit
+
+        edit(vobj.Object)
+        return True
+
+    def unsetEdit(self, _vobj: Any, mode: int = 0) -> Any:
+        """Closes the task panel when editing ends from elsewhere."""
+        if mode != 0:
+            return None
+        import FreeCADGui
+
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Edits the object."""
+        import FreeCADGui
+
+        if not FreeCADGui.Control.activeDialog():
+            FreeCADGui.getDocument(vobj.Object.Document.Name).setEdit(vobj.Object.Name)
+        return True
+
+    def dumps(self) -> None:
+        """Nothing to save (FreeCAD 0.21 and later)."""
+        return None
+
+    def loads(self, state: Any) -> None:
+        """Nothing to restore (FreeCAD 0.21 and later)."""
+        return None
+
+    def __getstate__(self) -> None:
+        """Nothing to save (FreeCAD 0.20)."""
+        return None
+
+    def __setstate__(self, state: Any) -> None:
+        """Nothing to restore (FreeCAD 0.20)."""
+        return None

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nothing is selected: the panel asks for a face, which is picked with the mouse in a moved container."""
+
+import math
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtGui
+from session import (
+    click_in_view,
+    look_at_all,
+    offsets,
+    press,
+    result_is_red,
+    result_text,
+    run_command,
+    screenshot,
+    start,
+    widget,
+)
+
+BUTTON = QtGui.QDialogButtonBox
+
+
+def run() -> None:
+    """Called by scenario_runner.py."""
+    doc = start()
+    part = doc.addObject("App::Part", "Tool")
+    box = doc.addObject("Part::Box", "Box")
+    part.addObject(box)
+    part.Placement = App.Placement(App.Vector(100, 0, 0), App.Rotation(App.Vector(0, 0, 1), 20))
+    doc.recompute()
+    Gui.Selection.clearSelection()
+    run_command()
+    asks_for_a_face(doc)
+    pick(part)
+    keep(doc, part)
+
+
+def asks_for_a_face(doc) -> None:
+    """OK without a face is refused in words; edges and whole objects can not be picked."""
+    assert widget("pick").isChecked() and widget("faces").text() == ""
+    press(BUTTON.Ok)
+    assert Gui.Control.activeDialog() and result_is_red() and "ick a face" in result_text()
+    Gui.Selection.addSelection(doc.Name, "Tool", "Box.Edge1")
+    assert widget("faces").text() == ""
+
+
+def pick(part) -> None:
+    """A click in the view."""
+    look_at_all()
+    Gui.ActiveDocument.ActiveView.viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    click_in_view()
+    assert widget("faces").text() == "Box: Face6", widget("faces").text()
+    screenshot("picked")
+
+
+def keep(doc, part) -> None:
+    """OK; then the offset follows the container."""
+    press(BUTTON.Ok)
+    (offset,) = offsets(doc)
+    assert offset.Status == "ok" and offset.Base == (part, ["Box.Face6"])
+    assert offset.Distance.Value == 1 and math.isclose(offset.Shape.BoundBox.ZMin, 11)
+    part.Placement.Base.z = 30
+    part.Placement = App.Placement(App.Vector(0, 0, 30), App.Rotation())
+    doc.recompute()
+    centre = offset.Shape.CenterOfMass
+    assert centre.distanceToPoint(App.Vector(5, 5, 41)) < 1e-9, centre

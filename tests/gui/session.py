@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A user's hands and eyes inside FreeCAD: select, press, type, look."""
+
+import os
+from typing import Any, Callable, List, Tuple
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+from PySide2.QtTest import QTest
+
+OUT = os.environ["LAMINATE_OFFSET_GUI_OUT"]
+COMMAND = "LaminateOffset_OffsetFace"
+WORKBENCH = "LaminateOffsetWorkbench"
+
+
+def pump(ms: int = 150) -> None:
+    """Lets FreeCAD work off its events for a while."""
+    clock = QtCore.QElapsedTimer()
+    clock.start()
+    while clock.elapsed() < ms:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+        QtGui.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
+
+
+def wait_until(condition: Callable[[], bool], what: str, limit_ms: int = 20000) -> None:
+    """Pumps until condition holds."""
+    clock = QtCore.QElapsedTimer()
+    clock.start()
+    while not condition():
+        assert clock.elapsed() < limit_ms, f"waited in vain for {what}"
+        pump(20)
+
+
+def start(width: int = 1400, height: int = 900) -> Any:
+    """Activates the workbench in a window of known size and opens a document with undo."""
+    Gui.getMainWindow().resize(width, height)
+    Gui.activateWorkbench(WORKBENCH)
+    doc = App.newDocument("Scenario")
+    doc.UndoMode = 1
+    pump(300)
+    return doc
+
+
+def look_at_all() -> Any:
+    """Fits an isometric view on everything. Returns the view."""
+    view = Gui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    pump(400)
+    return view
+
+
+def select(obj: Any, *subs: str) -> None:
+    """Selects sub-elements and nothing else."""
+    Gui.Selection.clearSelection()
+    for sub in subs:
+        Gui.Selection.addSelection(obj.Document.Name, obj.Name, sub)
+    pump(50)
+
+
+def run_command() -> None:
+    """Runs the command Offset Face as the toolbar does."""
+    Gui.runCommand(COMMAND, 0)
+    pump(300)
+
+
+def edit(obj: Any) -> None:
+    """What a double click in the tree does."""
+    obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+    pump(300)
+
+
+def widget(name: str, kind: type = QtGui.QWidget) -> Any:
+    """The visible widget with an object name."""
+    found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
+    assert len(found) == 1, f"{len(found)} visible widgets are named {name}"
+    return found[0]
+
+
+def type_into(name: str, text: str) -> None:
+    """Replaces the text of a spin box and leaves the field."""
+    line = widget(name).findChild(QtGui.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, text)
+    QTest.keyClick(line, QtCore.Qt.Key_Tab)
+    pump(200)
+
+
+def click(name: str) -> None:
+    """Presses a button, or ticks a box, of the task panel."""
+    target = widget(name)
+    QTest.mouseClick(target, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, QtCore.QPoint(8, target.height() // 2))
+    pump(200)
+
+
+def press(role: Any) -> None:
+    """Presses OK or Cancel of the task panel."""
+    boxes = [box for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
+    assert len(boxes) == 1, f"{len(boxes)} button boxes are visible"
+    QTest.mouseClick(boxes[0].button(role), QtCore.Qt.LeftButton)
+    pump(400)
+
+
+def result_text() -> str:
+    """What the panel's result line says."""
+    return widget("result", QtGui.QLabel).text()
+
+
+def result_is_red() -> bool:
+    """Whether the result line is shown as a refusal."""
+    return "#cc0000" in widget("result", QtGui.QLabel).styleSheet()
+
+
+def offsets(doc: Any) -> List[Any]:
+    """The document's offset objects."""
+    return [obj for obj in doc.Objects if obj.Name.startswith("OffsetFace")]
+
+
+def screenshot(name: str) -> None:
+    """Stores the whole screen and asserts that it was really drawn."""
+    pump(200)
+    image = QtGui.QApplication.primaryScreen().grabWindow(0)
+    assert image.save(os.path.join(OUT, f"{name}.png"))
+    assert count_colours(image.toImage()) > 20, f"{name}: the screen is empty"
+
+
+def count_colours(image: Any, step: int = 5) -> int:
+    """Number of different colours on a coarse grid of pixels."""
+    return len({image.pixel(x, y) for x in range(0, image.width(), step) for y in range(0, image.height(), step)})
+
+
+def centre_of_view() -> Tuple[Any, Any]:
+    """The visible OpenGL widget and its centre, for mouse events."""
+    canvases = [
+        w
+        for w in Gui.getMainWindow().findChildren(QtGui.QWidget)
+        if w.isVisible() and w.metaObject().className() == "QOpenGLWidget"
+    ]
+    assert len(canvases) == 1, f"{len(canvases)} 3-D views are visible"
+    return canvases[0], QtCore.QPoint(canvases[0].width() // 2, canvases[0].height() // 2)
+
+
+def click_in_view() -> None:
+    """Clicks the middle of the 3-D view."""
+    canvas, centre = centre_of_view()
+    QTest.mouseMove(canvas, centre)
+    pump(250)
+    QTest.mouseClick(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, centre)
+    pump(400)
