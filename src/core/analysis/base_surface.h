@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! The base surface restricted to the parameter box of its loops: evaluation, knots, unit normals.
+#pragma once
+
+#include "../input/input_face.h"
+#include "../spline/tensor_spline.h"
+
+#include <optional>
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! A parameter line across which the base surface is only C^continuity.
+struct SmoothnessBreak
+{
+    double parameter = 0.0;
+    int continuity = 0;
+};
+
+//! Evaluates the base surface in one of two ways: as its own tensor-product spline where the surface
+//! is one in the same parameters, else through Geom_Surface.
+class BaseSurface
+{
+public:
+    //! \param box part of the surface that has to be evaluated; a spline base is cut down to it.
+    BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box);
+
+    [[nodiscard]] const ParameterBox &box() const { return m_box; }
+    //! The base as a spline in the same parameters, if it is one.
+    [[nodiscard]] const std::optional<TensorSpline> &spline() const { return m_spline; }
+    //! Interior breaks in increasing order.
+    [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_u() const { return m_breaks_u; }
+    [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_v() const { return m_breaks_v; }
+
+    //! Jets on the grid us x vs (see TensorSpline::jets).
+    [[nodiscard]] std::vector<SurfaceJet> jets(const std::vector<double> &us, const std::vector<double> &vs,
+                                               int order) const;
+
+    //! S_u x S_v scaled to length 1 at a jet's place. At a singular place (a pole, a collapsed side) the
+    //! limit of the normal from inside the box. Nothing where that does not exist either.
+    [[nodiscard]] std::optional<Eigen::Vector3d> unit_normal(const SurfaceJet &jet, double u, double v) const;
+
+    //! S + distance * N on the grid; empty with `singular` set to the place where N does not exist.
+    [[nodiscard]] std::vector<Eigen::Vector3d> offset_grid(const std::vector<double> &us, const std::vector<double> &vs,
+                                                           double distance, std::optional<gp_Pnt2d> &singular) const;
+
+private:
+    [[nodiscard]] std::optional<Eigen::Vector3d> limit_normal(double u, double v) const;
+
+    Handle(Geom_Surface) m_surface;
+    ParameterBox m_box;
+    std::optional<TensorSpline> m_spline;
+    std::vector<SmoothnessBreak> m_breaks_u;
+    std::vector<SmoothnessBreak> m_breaks_v;
+};
+
+//! The box that the fit covers: the loops' box with a small margin, kept inside the surface's own
+//! domain where the surface has ends.
+ParameterBox fit_box(const InputFace &input);
+
+} // namespace laminate_offset

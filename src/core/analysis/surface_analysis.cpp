@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "surface_analysis.h"
+
+#include "curvature.h"
+#include "loop_region.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// A crease is judged from normals this far to both sides of the knot line (part of the box).
+constexpr double crease_step = 1e-8;
+constexpr int crease_probes = 33;
+// Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
+constexpr double flat_curvature = 1e-9;
+
+Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
+{
+    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
+    return {status, Stage::Analysis, std::move(message), Where{uv, point}, std::nullopt};
+}
+
+struct Crease
+{
+    double angle = 0.0; //!< [rad]
+    gp_Pnt2d uv;
+};
+
+//! The sharpest normal jump across one knot line, inside the loops.
+Crease sharpest(const BaseSurface &base, const LoopRegion &region, double parameter, bool along_u)
+{
+    const ParameterBox &box = base.box();
+    const double low = along_u ? box.vmin : box.umin;
+    const double high = along_u ? box.vmax : box.umax;
+    const double step = crease_step * (along_u ? box.umax - box.umin : box.vmax - box.vmin);
+    const std::vector<double> across{parameter - step, parameter + step};
+    std::vector<double> along;
+    for (int i = 0; i < crease_probes; ++i)
+        along.push_back(low + (high - low) * (i + 0.5) / crease_probes);
+    const std::vector<SurfaceJet> jets = along_u ? base.jets(across, along, 1) : base.jets(along, across, 1);
+    Crease worst;
+    for (std::size_t i = 0; i < along.size(); ++i)
+    {
+        const SurfaceJet &a = along_u ? jets[i] : jets[2 * i];
+        const SurfaceJet &b = along_u ? jets[along.size() + i] : jets[2 * i + 1];
+        const gp_Pnt2d uv = along_u ? gp_Pnt2d(parameter, along[i]) : gp_Pnt2d(along[i], parameter);
+        const auto before = base.unit_normal(a, uv.X(), uv.Y());
+        const auto after = base.unit_normal(b, uv.X(), uv.Y());
+        if (!before || !after || !region.contains(uv))
+            continue;
+        const double angle = std::atan2(before->cross(*after).norm(), before->dot(*after));
+        if (angle > worst.angle)
+            worst = {angle, uv};
+    }
+    return worst;
+}
+
+Result<bool> check_creases(const BaseSurface &base, const InputFace &input, const LoopRegion &region, double distance,
+                           double tolerance)
+{
+    Crease worst;
+    const auto look = [&](const std::vector<SmoothnessBreak> &breaks, bool along_u) {
+        for (const SmoothnessBreak &b : breaks)
+            if (b.continuity == 0)
+                if (const Crease crease = sharpest(base, region, b.parameter, along_u); crease.angle > worst.angle)
+                    worst = crease;
+    };
+    look(base.breaks_u(), true);
+    look(base.breaks_v(), false);
+    const double tear = 2.0 * std::abs(distance) * std::sin(0.5 * worst.angle);
+    if (tear <= 0.5 * tolerance)
+        return true;
+    return refusal_at(Status::KinkedSurface,
+                      fmt::format("The surface has a crease of {:.4g} degrees, which tears the offset by {:.4g} mm; split "
+                                  "the face along the crease and offset the parts.",
+                                  worst.angle * 180.0 / M_PI, tear),
+                      input, worst.uv);
+}
+
+} // namespace
+
+Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
+{
+    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), std::nullopt, std::nullopt};
+    const LoopRegion region(input);
+    if (const auto smooth = check_creases(analysis.base, input, region, distance, tolerance); !smooth)
+        return smooth.failure();
+    const CurvatureExtremes extremes = curvature_extremes(analysis.base, input, region);
+    const double flat = flat_curvature / input.diagonal;
+    if (extremes.lowest && extremes.lowest->curvature < -flat)
+        analysis.negative = CurvatureLimit{1.0 / extremes.lowest->curvature, extremes.lowest->uv};
+    if (extremes.highest && extremes.highest->curvature > flat)
+        analysis.positive = CurvatureLimit{1.0 / extremes.highest->curvature, extremes.highest->uv};
+    return analysis;
+}
+
+FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &input)
+{
+    FeasibleRange range;
+    if (analysis.negative)
+        range.negative = analysis.negative->distance;
+    if (analysis.positive)
+        range.positive = analysis.positive->distance;
+    if (input.normal_sign < 0.0)
+    {
+        std::swap(range.negative, range.positive);
+        for (std::optional<double> *side : {&range.negative, &range.positive})
+            if (*side)
+                *side = -**side;
+    }
+    return range;
+}
+
+Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance)
+{
+    const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
+    if (!limit || std::abs(distance) < std::abs(limit->distance))
+        return true;
+    Failure failure = refusal_at(Status::CurvatureLimit, "", input, limit->uv);
+    failure.feasible_range = feasible_range(analysis, input);
+    failure.message = fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
+                                  "the offset would fold; stay below that distance or trim the tight region away.",
+                                  input.normal_sign * distance, std::abs(limit->distance));
+    return failure;
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Stage Analysis: creases and curvature of the base inside its trimming loops.
+#pragma once
+
+#include "base_surface.h"
+
+#include "../base/result.h"
+#include "../input/input_face.h"
+
+#include <optional>
+
+namespace laminate_offset
+{
+
+//! A signed distance at which the offset folds, and the place of the base where that begins.
+struct CurvatureLimit
+{
+    double distance = 0.0; //!< [mm] along S_u x S_v
+    gp_Pnt2d uv;
+};
+
+//! What the base surface permits inside the loops. Distances here are along S_u x S_v, the face's
+//! orientation not yet included.
+struct SurfaceAnalysis
+{
+    BaseSurface base;
+    std::optional<CurvatureLimit> negative; //!< empty: no limit on that side
+    std::optional<CurvatureLimit> positive;
+};
+
+//! Reads creases and curvatures.
+//! \param distance signed along S_u x S_v [mm]; decides whether a crease matters.
+//! \param tolerance a crease that tears the offset by less than half of it is no crease [mm].
+//! Refusals: KinkedSurface, SingularNormal.
+Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance);
+
+//! Refuses a distance past the curvature limits, with the place and the feasible range.
+Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance);
+
+//! The limits as signed distances along the face's outward normal.
+FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &input);
+
+} // namespace laminate_offset

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "input_face.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <BndLib_Add2dCurve.hxx>
+#include <Bnd_Box.hxx>
+#include <Bnd_Box2d.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+Failure refusal(Status status, std::string message)
+{
+    return {status, Stage::Input, std::move(message), std::nullopt, std::nullopt};
+}
+
+Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
+{
+    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
+    return {status, Stage::Input, std::move(message), Where{uv, point}, std::nullopt};
+}
+
+const char *kind_name(TopAbs_ShapeEnum kind)
+{
+    switch (kind)
+    {
+    case TopAbs_COMPOUND: return "compound";
+    case TopAbs_COMPSOLID: return "compsolid";
+    case TopAbs_SOLID: return "solid";
+    case TopAbs_SHELL: return "shell";
+    case TopAbs_WIRE: return "wire";
+    case TopAbs_EDGE: return "edge";
+    case TopAbs_VERTEX: return "vertex";
+    default: return "shape";
+    }
+}
+
+//! The face in local coordinates. A location that scales is baked in, because pcurves on analytic
+//! surfaces do not survive scaling unchanged.
+TopoDS_Face localised(const TopoDS_Face &face, InputFace &input)
+{
+    input.location = face.Location();
+    const gp_Trsf transformation = input.location.Transformation();
+    TopoDS_Face local = TopoDS::Face(face.Located(TopLoc_Location()));
+    if (std::abs(std::abs(transformation.ScaleFactor()) - 1.0) > 1e-12)
+    {
+        input.location = TopLoc_Location();
+        local = TopoDS::Face(BRepBuilderAPI_Transform(local, transformation, true).Shape());
+    }
+    return local;
+}
+
+Handle(Geom_Surface) unwrapped(Handle(Geom_Surface) surface)
+{
+    while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+        surface = trimmed->BasisSurface();
+    return surface;
+}
+
+bool finite(const gp_Pnt2d &p) { return std::isfinite(p.X()) && std::isfinite(p.Y()); }
+bool finite(const gp_Pnt &p) { return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z()); }
+
+Result<TrimmingCurve> read_curve(const TopoDS_Edge &edge, const InputFace &input)
+{
+    TrimmingCurve curve;
+    curve.edge = edge;
+    curve.pcurve = BRep_Tool::CurveOnSurface(edge, input.face, curve.first, curve.last);
+    if (curve.pcurve.IsNull())
+        return refusal(Status::InvalidFace, "An edge of the face has no curve in the surface's parameters; "
+                                            "repair the face so that every edge lies on it.");
+    if (Precision::IsInfinite(curve.first) || Precision::IsInfinite(curve.last))
+        return refusal(Status::UnboundedFace, "An edge of the face has no end; trim the surface to a finite face first.");
+    if (!(curve.first < curve.last))
+        return refusal(Status::InvalidFace, "An edge of the face has an empty parameter range; repair the face.");
+    curve.degenerated = BRep_Tool::Degenerated(edge);
+    curve.seam = BRep_Tool::IsClosed(edge, input.face);
+    constexpr int probes = 8;
+    for (int i = 0; i <= probes; ++i)
+    {
+        const gp_Pnt2d uv = curve.pcurve->Value(curve.first + (curve.last - curve.first) * i / probes);
+        if (!finite(uv) || !finite(input.surface->Value(uv.X(), uv.Y())))
+            return refusal(Status::NotFinite, "The face holds coordinates that are not finite numbers; import the "
+                                              "model again or rebuild the face.");
+    }
+    return curve;
+}
+
+gp_Pnt2d end_point(const TrimmingCurve &curve, bool at_end)
+{
+    const bool forward = curve.edge.Orientation() != TopAbs_REVERSED;
+    return curve.pcurve->Value(at_end == forward ? curve.last : curve.first);
+}
+
+//! Do two ends meet, by a shared vertex or within the vertices' tolerances?
+bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const InputFace &input)
+{
+    const TopoDS_Vertex end = TopExp::LastVertex(before.edge, true);
+    const TopoDS_Vertex start = TopExp::FirstVertex(after.edge, true);
+    if (!end.IsNull() && !start.IsNull() && end.IsSame(start))
+        return true;
+    const gp_Pnt2d a = end_point(before, true);
+    const gp_Pnt2d b = end_point(after, false);
+    const double tolerance = std::max(input.tolerance, Precision::Confusion());
+    return input.surface->Value(a.X(), a.Y()).Distance(input.surface->Value(b.X(), b.Y())) <= 2.0 * tolerance;
+}
+
+//! Every vertex of a closed wire ends as many curves as it starts, whatever the order of its edges.
+Result<bool> check_closed(const TrimmingLoop &loop, const InputFace &input)
+{
+    const auto starts_here = [&](const TrimmingCurve &before) {
+        return std::any_of(loop.curves.begin(), loop.curves.end(),
+                           [&](const TrimmingCurve &after) { return ends_meet(before, after, input); });
+    };
+    for (const TrimmingCurve &curve : loop.curves)
+        if (!starts_here(curve))
+            return refusal_at(Status::OpenLoop,
+                              "A trimming loop does not close: a gap follows the edge that ends at the reported place. "
+                              "Close the loop or heal the face.",
+                              input, end_point(curve, true));
+    return true;
+}
+
+bool bounds_the_face(TopAbs_Orientation orientation)
+{
+    return orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED;
+}
+
+Result<TrimmingLoop> read_loop(const TopoDS_Wire &wire, const InputFace &input)
+{
+    TrimmingLoop loop;
+    loop.wire = wire;
+    for (TopoDS_Iterator it(wire); it.More(); it.Next())
+    {
+        Result<TrimmingCurve> curve = read_curve(TopoDS::Edge(it.Value()), input);
+        if (!curve)
+            return curve.failure();
+        loop.curves.push_back(std::move(curve).value());
+    }
+    if (loop.curves.empty())
+        return refusal(Status::InvalidFace, "A trimming loop of the face has no edge; repair the face.");
+    if (const Result<bool> closed = check_closed(loop, input); !closed)
+        return closed.failure();
+    return loop;
+}
+
+ParameterBox box_of(const std::vector<TrimmingLoop> &loops)
+{
+    Bnd_Box2d all;
+    for (const TrimmingLoop &loop : loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            BndLib_Add2dCurve::AddOptimal(curve.pcurve, curve.first, curve.last, 0.0, all);
+    ParameterBox box;
+    all.Get(box.umin, box.vmin, box.umax, box.vmax);
+    return box;
+}
+
+double signed_area(const std::vector<TrimmingLoop> &loops)
+{
+    double area = 0.0;
+    for (const TrimmingLoop &loop : loops)
+        for (const TrimmingCurve &curve : loop.curves)
+        {
+            if (!bounds_the_face(curve.edge.Orientation()))
+                continue;
+            constexpr int steps = 32;
+            double part = 0.0;
+            gp_Pnt2d before = curve.pcurve->Value(curve.first);
+            for (int i = 1; i <= steps; ++i)
+            {
+                const gp_Pnt2d here = curve.pcurve->Value(curve.first + (curve.last - curve.first) * i / steps);
+                part += 0.5 * (before.X() * here.Y() - here.X() * before.Y());
+                before = here;
+            }
+            area += curve.edge.Orientation() == TopAbs_REVERSED ? -part : part;
+        }
+    return area;
+}
+
+double largest_tolerance(const TopoDS_Face &face)
+{
+    double tolerance = 0.0;
+    TopTools_IndexedMapOfShape shapes;
+    TopExp::MapShapes(face, TopAbs_EDGE, shapes);
+    for (int i = 1; i <= shapes.Extent(); ++i)
+        tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(shapes(i))));
+    shapes.Clear();
+    TopExp::MapShapes(face, TopAbs_VERTEX, shapes);
+    for (int i = 1; i <= shapes.Extent(); ++i)
+        tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Vertex(shapes(i))));
+    return tolerance;
+}
+
+Result<bool> measure(InputFace &input)
+{
+    Bnd_Box space;
+    BRepBndLib::AddOptimal(input.face, space, false, false);
+    if (space.IsVoid() || space.IsOpen())
+        return refusal(Status::UnboundedFace, "The face has no finite extent; trim the surface to a finite face first.");
+    input.diagonal = std::sqrt(space.SquareExtent());
+    if (!std::isfinite(input.diagonal))
+        return refusal(Status::NotFinite, "The face's extent is not a finite number; import the model again.");
+    input.box = box_of(input.loops);
+    const double rectangle = (input.box.umax - input.box.umin) * (input.box.vmax - input.box.vmin);
+    // A loop that runs along a line and back encloses nothing; a sliver of a real face encloses far more than this.
+    if (!(rectangle > 0.0) || std::abs(signed_area(input.loops)) <= 1e-9 * rectangle)
+        return refusal(Status::ZeroArea, "The trimming loops enclose no area; remove the degenerate face or repair its loops.");
+    return true;
+}
+
+Result<InputFace> read_checked(const TopoDS_Face &face)
+{
+    InputFace input;
+    input.reversed = face.Orientation() == TopAbs_REVERSED;
+    input.face = TopoDS::Face(localised(face, input).Oriented(TopAbs_FORWARD));
+    const bool mirrored = input.location.Transformation().IsNegative();
+    input.normal_sign = (input.reversed != mirrored) ? -1.0 : 1.0;
+    input.surface = BRep_Tool::Surface(input.face);
+    if (input.surface.IsNull())
+        return refusal(Status::InvalidFace, "The face has no surface (it may be a mesh); use a face with exact geometry.");
+    input.surface = unwrapped(input.surface);
+    input.tolerance = largest_tolerance(input.face);
+    for (TopoDS_Iterator it(input.face); it.More(); it.Next())
+    {
+        if (it.Value().ShapeType() != TopAbs_WIRE)
+            continue;
+        Result<TrimmingLoop> loop = read_loop(TopoDS::Wire(it.Value()), input);
+        if (!loop)
+            return loop.failure();
+        input.loops.push_back(std::move(loop).value());
+    }
+    if (input.loops.empty())
+        return refusal(Status::UnboundedFace, "The face has no trimming loop; trim the surface to a finite face first.");
+    if (const Result<bool> measured = measure(input); !measured)
+        return measured.failure();
+    return input;
+}
+
+} // namespace
+
+int InputFace::edge_count() const
+{
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(face, TopAbs_EDGE, edges);
+    return edges.Extent();
+}
+
+Result<InputFace> read_face(const TopoDS_Shape &shape)
+{
+    if (shape.IsNull())
+        return refusal(Status::NullShape, "No shape was given; select a face of a recomputed object.");
+    if (shape.ShapeType() != TopAbs_FACE)
+        return refusal(Status::NotAFace, fmt::format("The shape is a {}, not a face; select one face, or pass its faces "
+                                                     "one by one.",
+                                                     kind_name(shape.ShapeType())));
+    return read_checked(TopoDS::Face(shape));
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset_face.h"
+
+#include "analysis/surface_analysis.h"
+#include "input/input_face.h"
+#include "surface/offset_surface.h"
+#include "topology/build_face.h"
+#include "trimming/trim_loops.h"
+
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Standard_Failure.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace laminate_offset
+{
+namespace
+{
+
+//! Runs the stages one after the other, times them, and turns OpenCASCADE's exceptions into refusals.
+class Pipeline
+{
+public:
+    explicit Pipeline(const OffsetOptions &options) : m_options(options) {}
+
+    Result<OffsetResult> run(const TopoDS_Shape &shape)
+    {
+        try
+        {
+            return run_stages(shape);
+        }
+        catch (const Standard_Failure &error)
+        {
+            return Failure{Status::KernelError, m_stage,
+                           fmt::format("The geometry kernel raised {} ({}); check the base face.",
+                                       error.DynamicType()->Name(), error.GetMessageString()),
+                           std::nullopt, std::nullopt};
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void enter(Stage stage)
+    {
+        leave();
+        m_stage = stage;
+        m_entered = Clock::now();
+    }
+
+    void leave()
+    {
+        if (m_entered == Clock::time_point{})
+            return;
+        const std::chrono::duration<double, std::milli> spent = Clock::now() - m_entered;
+        m_elapsed.stages.emplace_back(m_stage, spent.count());
+        m_elapsed.total += spent.count();
+        m_entered = {};
+    }
+
+    Result<OffsetResult> run_stages(const TopoDS_Shape &shape)
+    {
+        if (const Result<bool> checked = check(m_options); !checked)
+            return checked.failure();
+        enter(Stage::Input);
+        const Result<InputFace> input = read_face(shape);
+        if (!input)
+            return input.failure();
+        const double distance = input.value().normal_sign * m_options.distance;
+        enter(Stage::Analysis);
+        const Result<SurfaceAnalysis> analysis = analyse(input.value(), distance, m_options.tolerance);
+        if (!analysis)
+            return analysis.failure();
+        enter(Stage::Surface);
+        const Result<OffsetSurface> surface = offset_surface(input.value(), analysis.value(), distance);
+        if (!surface)
+            return surface.failure();
+        enter(Stage::Trimming);
+        const Result<TrimLoops> loops = offset_loops(
+            {input.value(), analysis.value().base, surface.value(), distance, edge_share * m_options.tolerance});
+        if (!loops)
+            return loops.failure();
+        enter(Stage::Topology);
+        const Result<TopoDS_Face> face = build_face(input.value(), surface.value(), loops.value());
+        if (!face)
+            return face.failure();
+        leave();
+        return OffsetResult{face.value(), report(input.value(), analysis.value(), surface.value(), loops.value())};
+    }
+
+    Result<OffsetSurface> offset_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
+    {
+        if (auto exact = exact_offset(input, distance))
+            return *std::move(exact);
+        if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
+            return feasible.failure();
+        return fit_offset(analysis.base, input, distance, surface_share * m_options.tolerance, m_options);
+    }
+
+    static SurfaceSummary summary(const Handle(Geom_Surface) & surface)
+    {
+        SurfaceSummary result;
+        switch (GeomAdaptor_Surface(surface).GetType())
+        {
+        case GeomAbs_Plane: result.type = "plane"; break;
+        case GeomAbs_Cylinder: result.type = "cylinder"; break;
+        case GeomAbs_Cone: result.type = "cone"; break;
+        case GeomAbs_Sphere: result.type = "sphere"; break;
+        case GeomAbs_Torus: result.type = "torus"; break;
+        default: result.type = "bspline"; break;
+        }
+        if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+        {
+            result.degree_u = spline->UDegree();
+            result.degree_v = spline->VDegree();
+            result.poles_u = spline->NbUPoles();
+            result.poles_v = spline->NbVPoles();
+            result.rational = spline->IsURational() || spline->IsVRational();
+        }
+        return result;
+    }
+
+    OffsetReport report(const InputFace &input, const SurfaceAnalysis &analysis, const OffsetSurface &surface,
+                        const TrimLoops &loops) const
+    {
+        OffsetReport report;
+        report.message = sentence(Status::Ok);
+        report.method = m_options.method;
+        report.distance = m_options.distance;
+        report.tolerance = m_options.tolerance;
+        report.certified_error = surface.certified_error;
+        report.sampled_error = surface.sampled_error;
+        double worst = 0.0;
+        for (const OffsetEdge &edge : loops.edges)
+            worst = std::max(worst, edge.sampled_error);
+        report.sampled_edge_error = worst;
+        report.surface = summary(surface.geometry);
+        report.limits = feasible_range(analysis, input);
+        report.loops = static_cast<int>(input.loops.size());
+        report.edges = input.edge_count();
+        report.elapsed = m_elapsed;
+        return report;
+    }
+
+    const OffsetOptions &m_options;
+    Stage m_stage = Stage::Options;
+    Clock::time_point m_entered;
+    Elapsed m_elapsed;
+};
+
+} // namespace
+
+Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options)
+{
+    return Pipeline(options).run(shape);
+}
+
+} // namespace laminate_offset

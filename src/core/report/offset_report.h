@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! OffsetReport: what was done to one face, with measured and proven figures.
+#pragma once
+
+#include "../base/options.h"
+#include "../base/result.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! The result's underlying surface.
+struct SurfaceSummary
+{
+    std::string type; //!< "plane", "cylinder", "cone", "sphere", "torus" or "bspline"
+    int degree_u = 0; //!< 0 for analytic surfaces, as are the pole counts
+    int degree_v = 0;
+    int poles_u = 0;
+    int poles_v = 0;
+    bool rational = false;
+};
+
+//! Wall-clock time of the stages [ms], in the order they ran.
+struct Elapsed
+{
+    double total = 0.0;
+    std::vector<std::pair<Stage, double>> stages;
+};
+
+//! One face's report; to_json gives the documented format.
+struct OffsetReport
+{
+    Status status = Status::Ok;
+    Stage stage = Stage::Report; //!< the last stage that ran, or the one that refused
+    std::string message;
+    std::optional<Where> where;
+
+    Method method = Method::SameParameter;
+    double distance = 0.0;                    //!< as asked [mm]
+    double tolerance = 0.0;                   //!< as asked [mm]
+    std::optional<double> certified_error;    //!< proven bound of the surface deviation [mm]; never a sampled figure
+    std::optional<double> sampled_error;      //!< largest deviation seen on a dense grid [mm]; for information
+    std::optional<double> edge_error;         //!< proven bound of the edge curves' deviation [mm]
+    std::optional<double> sampled_edge_error; //!< largest edge deviation seen [mm]; for information
+
+    std::optional<SurfaceSummary> surface; //!< empty when refused
+    std::optional<FeasibleRange> limits;   //!< empty when not computed
+    int loops = 0;
+    int edges = 0;
+    Elapsed elapsed;
+};
+
+//! Report of a refusal: the options' figures and the failure's reason.
+OffsetReport refusal_report(const Failure &failure, const OffsetOptions &options);
+
+//! The report as a JSON object (keys in documentation order).
+nlohmann::ordered_json to_json(const OffsetReport &report);
+
+//! The report as indented JSON text, ending without a newline.
+std::string to_json_text(const OffsetReport &report);
+
+//! A few lines for a person.
+std::string to_text(const OffsetReport &report);
+
+} // namespace laminate_offset

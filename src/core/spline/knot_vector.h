@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Clamped knot vectors and their basis functions (Piegl & Tiller, The NURBS Book, ch. 2).
+#pragma once
+
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! Highest degree that the numerics carry: OpenCASCADE's own limit.
+inline constexpr int max_spline_degree = 25;
+
+//! One distinct knot and how often it stands in the vector.
+struct Knot
+{
+    double parameter = 0.0;
+    int multiplicity = 1;
+};
+
+//! A clamped knot vector: first and last knot have multiplicity degree + 1.
+struct KnotVector
+{
+    int degree = 3;
+    std::vector<double> knots; //!< non-decreasing
+
+    [[nodiscard]] int pole_count() const { return static_cast<int>(knots.size()) - degree - 1; }
+    [[nodiscard]] double front() const { return knots.front(); }
+    [[nodiscard]] double back() const { return knots.back(); }
+
+    //! Index s with knots[s] <= u < knots[s+1]; u at or past the end belongs to the last span.
+    [[nodiscard]] int span(double u) const;
+
+    //! The distinct knots with their multiplicities.
+    [[nodiscard]] std::vector<Knot> distinct() const;
+
+    //! The distinct parameters only.
+    [[nodiscard]] std::vector<double> breaks() const;
+};
+
+//! Clamped vector on [a, b] with the given interior knots (sorted, repeated as wanted).
+KnotVector clamped_knots(int degree, double a, double b, const std::vector<double> &interior);
+
+//! Two sorted lists of breaks as one; parameters closer than 1e-12 of the range count as equal.
+std::vector<double> merged_breaks(const std::vector<double> &a, const std::vector<double> &b);
+
+//! Values of the degree + 1 basis functions that do not vanish on span s, at u (NURBS Book A2.2).
+void basis_values(const KnotVector &kv, int span, double u, double *values);
+
+//! Derivatives 0..order of the same functions: out[k * (degree + 1) + i] (NURBS Book A2.3).
+void basis_derivatives(const KnotVector &kv, int span, double u, int order, double *out);
+
+//! Basis functions tabulated at many parameters, as the rows of a banded matrix.
+class BasisRows
+{
+public:
+    //! \param order derivatives 0..order are tabulated.
+    BasisRows(const KnotVector &kv, const std::vector<double> &parameters, int order = 0);
+
+    [[nodiscard]] int rows() const { return static_cast<int>(m_first.size()); }
+    [[nodiscard]] int width() const { return m_width; }
+    //! Index of the first pole that row r touches.
+    [[nodiscard]] int first(int r) const { return m_first[static_cast<std::size_t>(r)]; }
+    //! The width() coefficients of row r for one derivative order.
+    [[nodiscard]] const double *row(int r, int derivative = 0) const
+    {
+        return m_values.data() + (static_cast<std::size_t>(r) * m_orders + derivative) * m_width;
+    }
+
+private:
+    int m_width = 0;
+    int m_orders = 1;
+    std::vector<int> m_first;
+    std::vector<double> m_values;
+};
+
+} // namespace laminate_offset

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "least_squares.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// Below this pivot, relative to the largest, a pole is not determined by the samples.
+constexpr double smallest_pivot = 1e-13;
+
+} // namespace
+
+LeastSquaresFit::LeastSquaresFit(const KnotVector &kv, const std::vector<double> &parameters)
+    : m_poles(kv.pole_count()), m_basis(kv, parameters)
+{
+}
+
+std::optional<LeastSquaresFit> LeastSquaresFit::make(const KnotVector &kv, const std::vector<double> &parameters)
+{
+    if (static_cast<int>(parameters.size()) < kv.pole_count())
+        return std::nullopt;
+    LeastSquaresFit fit(kv, parameters);
+    if (!fit.factorise())
+        return std::nullopt;
+    return fit;
+}
+
+bool LeastSquaresFit::factorise()
+{
+    const int inner = std::max(0, m_poles - 2);
+    const int width = m_basis.width();
+    m_band.assign(static_cast<std::size_t>(inner) * width, 0.0);
+    const auto at = [&](int row, int column) -> double & {
+        return m_band[static_cast<std::size_t>(row) * width + (row - column)];
+    };
+    for (int r = 0; r < m_basis.rows(); ++r)
+    {
+        const double *n = m_basis.row(r);
+        const int first = m_basis.first(r) - 1;
+        for (int i = std::max(0, -first); i < width && first + i < inner; ++i)
+            for (int j = std::max(0, -first); j <= i; ++j)
+                at(first + i, first + j) += n[i] * n[j];
+    }
+    double largest = 0.0;
+    for (int i = 0; i < inner; ++i)
+        largest = std::max(largest, at(i, i));
+    for (int i = 0; i < inner; ++i)
+        for (int j = std::max(0, i - width + 1); j <= i; ++j)
+        {
+            double sum = at(i, j);
+            for (int k = std::max(0, i - width + 1); k < j; ++k)
+                sum -= at(i, k) * at(j, k);
+            if (i != j)
+                at(i, j) = sum / at(j, j);
+            else if (sum > smallest_pivot * largest)
+                at(i, i) = std::sqrt(sum);
+            else
+                return false;
+        }
+    return true;
+}
+
+RowMatrix LeastSquaresFit::solve(const RowMatrix &samples) const
+{
+    const int inner = std::max(0, m_poles - 2);
+    const int width = m_basis.width();
+    const Eigen::Index last = samples.rows() - 1;
+    RowMatrix poles = RowMatrix::Zero(m_poles, samples.cols());
+    Eigen::RowVectorXd target(samples.cols());
+    for (int r = 0; r < m_basis.rows(); ++r)
+    {
+        const double *n = m_basis.row(r);
+        const int first = m_basis.first(r);
+        target = samples.row(r);
+        if (first == 0)
+            target -= n[0] * samples.row(0);
+        if (first + width == m_poles)
+            target -= n[width - 1] * samples.row(last);
+        for (int i = 0; i < width; ++i)
+            if (first + i > 0 && first + i < m_poles - 1)
+                poles.row(first + i) += n[i] * target;
+    }
+    const auto factor = [&](int row, int column) {
+        return m_band[static_cast<std::size_t>(row) * width + (row - column)];
+    };
+    for (int i = 0; i < inner; ++i)
+    {
+        for (int k = std::max(0, i - width + 1); k < i; ++k)
+            poles.row(i + 1) -= factor(i, k) * poles.row(k + 1);
+        poles.row(i + 1) /= factor(i, i);
+    }
+    for (int i = inner - 1; i >= 0; --i)
+    {
+        for (int k = i + 1; k < std::min(inner, i + width); ++k)
+            poles.row(i + 1) -= factor(k, i) * poles.row(k + 1);
+        poles.row(i + 1) /= factor(i, i);
+    }
+    poles.row(0) = samples.row(0);
+    poles.row(m_poles - 1) = samples.row(last);
+    return poles;
+}
+
+RowMatrix LeastSquaresFit::residual(const RowMatrix &poles, const RowMatrix &samples) const
+{
+    RowMatrix result = samples;
+    for (int r = 0; r < m_basis.rows(); ++r)
+    {
+        const double *n = m_basis.row(r);
+        for (int i = 0; i < m_basis.width(); ++i)
+            result.row(r) -= n[i] * poles.row(m_basis.first(r) + i);
+    }
+    return result;
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset_surface.h"
+
+#include "../spline/knot_choice.h"
+#include "../spline/least_squares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// ||O - Lu Lv O|| <= ||O - Lu O|| + ||Lu|| ||O - Lv O||: each direction starts with nearly half of the
+// tolerance; the measured error then says by how much to move.
+constexpr double first_direction_share = 0.47;
+constexpr int most_rounds = 8;
+constexpr int rows_per_interval = 3;
+constexpr int least_rows = 12;
+constexpr int checks_per_span = 6;
+
+std::vector<double> interval_ends(double low, double high, const std::vector<SmoothnessBreak> &breaks)
+{
+    std::vector<double> ends{low};
+    for (const SmoothnessBreak &b : breaks)
+        ends.push_back(b.parameter);
+    ends.push_back(high);
+    return ends;
+}
+
+std::vector<double> row_parameters(const std::vector<double> &ends)
+{
+    const int intervals = static_cast<int>(ends.size()) - 1;
+    return chebyshev_parameters(ends, std::max(rows_per_interval, (least_rows + intervals - 1) / intervals));
+}
+
+//! The offset of a C^k surface is C^(k-1) at its knots; a crease has been refused before, so at least C^0.
+std::vector<DataBreak> data_breaks(const std::vector<SmoothnessBreak> &breaks)
+{
+    std::vector<DataBreak> result;
+    for (const SmoothnessBreak &b : breaks)
+        result.push_back({b.parameter, std::max(0, b.continuity - 1)});
+    return result;
+}
+
+//! Samples of the exact offset relative to a point near the face, so that rounding scales with the
+//! face and not with its distance from the origin.
+class OffsetSampler
+{
+public:
+    OffsetSampler(const BaseSurface &base, double distance) : m_base(base), m_distance(distance)
+    {
+        const ParameterBox &box = base.box();
+        m_origin = base.jets({0.5 * (box.umin + box.umax)}, {0.5 * (box.vmin + box.vmax)}, 0).front().s;
+    }
+
+    //! One row for each u, the points of all v in it; transposed: one row for each v.
+    RowMatrix rows(const std::vector<double> &us, const std::vector<double> &vs, bool transposed)
+    {
+        const std::vector<Eigen::Vector3d> points = m_base.offset_grid(us, vs, m_distance, m_singular);
+        const auto nu = static_cast<Eigen::Index>(us.size());
+        const auto nv = static_cast<Eigen::Index>(vs.size());
+        RowMatrix result = transposed ? RowMatrix::Zero(nv, 3 * nu) : RowMatrix::Zero(nu, 3 * nv);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Eigen::Index k = static_cast<Eigen::Index>(i) / nv;
+            const Eigen::Index l = static_cast<Eigen::Index>(i) % nv;
+            result.row(transposed ? l : k).segment<3>(3 * (transposed ? k : l)) = (points[i] - m_origin).transpose();
+        }
+        return result;
+    }
+
+    [[nodiscard]] const std::optional<gp_Pnt2d> &singular() const { return m_singular; }
+    [[nodiscard]] const Eigen::Vector3d &origin() const { return m_origin; }
+
+private:
+    const BaseSurface &m_base;
+    double m_distance;
+    Eigen::Vector3d m_origin;
+    std::optional<gp_Pnt2d> m_singular;
+};
+
+//! Tensor-product least squares on a grid of samples dense in both directions' spans.
+std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &sampler, const KnotVector &u,
+                                       const KnotVector &v)
+{
+    const ParameterBox &box = base.box();
+    const auto parameters = [](const KnotVector &kv, const std::vector<double> &base_ends) {
+        return chebyshev_parameters(merged_breaks(kv.breaks(), base_ends), kv.degree + 2);
+    };
+    const std::vector<double> us = parameters(u, interval_ends(box.umin, box.umax, base.breaks_u()));
+    const std::vector<double> vs = parameters(v, interval_ends(box.vmin, box.vmax, base.breaks_v()));
+    const auto fit_u = LeastSquaresFit::make(u, us);
+    const auto fit_v = LeastSquaresFit::make(v, vs);
+    if (!fit_u || !fit_v)
+        return std::nullopt;
+    const RowMatrix by_u = fit_u->solve(sampler.rows(us, vs, false)); // pole_u x (3 vs)
+    RowMatrix by_v(static_cast<Eigen::Index>(vs.size()), 3 * by_u.rows());
+    for (Eigen::Index i = 0; i < by_u.rows(); ++i)
+        for (Eigen::Index l = 0; l < by_v.rows(); ++l)
+            by_v.row(l).segment<3>(3 * i) = by_u.row(i).segment<3>(3 * l);
+    const RowMatrix net = fit_v->solve(by_v); // pole_v x (3 pole_u)
+    TensorSpline spline;
+    spline.u = u;
+    spline.v = v;
+    spline.poles.reserve(static_cast<std::size_t>(net.rows() * by_u.rows()));
+    for (Eigen::Index i = 0; i < by_u.rows(); ++i)
+        for (Eigen::Index j = 0; j < net.rows(); ++j)
+        {
+            const Eigen::Vector3d point = net.row(j).segment<3>(3 * i).transpose() + sampler.origin();
+            spline.poles.emplace_back(point.x(), point.y(), point.z(), 1.0);
+        }
+    return spline;
+}
+
+//! Largest deviation from the exact offset between the samples of the fit.
+double deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
+{
+    const ParameterBox &box = base.box();
+    const auto uniform = [](const std::vector<double> &ends) {
+        std::vector<double> parameters{ends.front()};
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            for (int k = 1; k <= checks_per_span; ++k)
+                parameters.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / checks_per_span);
+        return parameters;
+    };
+    const auto us = uniform(merged_breaks(spline.u.breaks(), interval_ends(box.umin, box.umax, base.breaks_u())));
+    const auto vs = uniform(merged_breaks(spline.v.breaks(), interval_ends(box.vmin, box.vmax, base.breaks_v())));
+    std::optional<gp_Pnt2d> singular;
+    const std::vector<Eigen::Vector3d> exact = base.offset_grid(us, vs, distance, singular);
+    if (singular)
+        return std::numeric_limits<double>::infinity();
+    const std::vector<SurfaceJet> fitted = spline.jets(us, vs, 0);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        worst = std::max(worst, (exact[i] - fitted[i].s).squaredNorm());
+    return std::sqrt(worst);
+}
+
+struct DirectionChoices
+{
+    std::optional<KnotChoice> u;
+    std::optional<KnotChoice> v;
+};
+
+DirectionChoices choose_directions(const BaseSurface &base, OffsetSampler &sampler, double tolerance,
+                                   const OffsetOptions &options)
+{
+    const ParameterBox &box = base.box();
+    const std::vector<double> rows_u = row_parameters(interval_ends(box.umin, box.umax, base.breaks_u()));
+    const std::vector<double> rows_v = row_parameters(interval_ends(box.vmin, box.vmax, base.breaks_v()));
+    KnotProblem problem;
+    problem.tolerance = tolerance;
+    problem.max_degree = options.max_degree;
+    problem.low = box.umin;
+    problem.high = box.umax;
+    problem.breaks = data_breaks(base.breaks_u());
+    problem.sample = [&](const std::vector<double> &us) { return sampler.rows(us, rows_v, false); };
+    DirectionChoices choices;
+    choices.u = choose_knots(problem);
+    if (!choices.u)
+        return choices;
+    problem.low = box.vmin;
+    problem.high = box.vmax;
+    problem.breaks = data_breaks(base.breaks_v());
+    problem.sample = [&](const std::vector<double> &vs) { return sampler.rows(rows_u, vs, true); };
+    choices.v = choose_knots(problem);
+    return choices;
+}
+
+Failure refusal(Status status, std::string message, std::optional<Where> where = std::nullopt)
+{
+    return {status, Stage::Surface, std::move(message), where, std::nullopt};
+}
+
+Failure singular_refusal(const InputFace &input, const gp_Pnt2d &uv)
+{
+    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
+    return refusal(Status::SingularNormal,
+                   "The surface has no normal at the reported place; trim the face clear of it.", Where{uv, point});
+}
+
+} // namespace
+
+Result<OffsetSurface> fit_offset(const BaseSurface &base, const InputFace &input, double distance, double tolerance,
+                                 const OffsetOptions &options)
+{
+    OffsetSampler sampler(base, distance);
+    double share = first_direction_share;
+    double closest = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round)
+    {
+        if (options.progress && !options.progress(static_cast<double>(round) / most_rounds))
+            return refusal(Status::Cancelled, "The computation was cancelled during the surface fit.");
+        const DirectionChoices choices = choose_directions(base, sampler, share * tolerance, options);
+        if (sampler.singular())
+            return singular_refusal(input, *sampler.singular());
+        if (!choices.u || !choices.v)
+            break;
+        const std::optional<TensorSpline> spline = tensor_fit(base, sampler, choices.u->knots, choices.v->knots);
+        if (!spline)
+            break;
+        const double error = deviation(base, *spline, distance);
+        closest = std::min(closest, error);
+        if (error <= tolerance)
+        {
+            OffsetSurface result;
+            result.geometry = to_geom(*spline);
+            result.sampled_error = error;
+            return result;
+        }
+        share *= std::clamp(0.9 * tolerance / error, 0.3, 0.8);
+    }
+    return refusal(Status::ToleranceNotReached,
+                   fmt::format("The offset surface could not be brought within {:.3g} mm (closest {:.3g} mm); loosen the "
+                               "tolerance or allow a higher degree.",
+                               tolerance, closest));
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Stage Topology: vertices, edges, wires and the face of the offset, as a mirror of the base's.
+#pragma once
+
+#include "../base/result.h"
+#include "../input/input_face.h"
+#include "../surface/offset_surface.h"
+#include "../trimming/trim_loops.h"
+
+#include <TopoDS_Face.hxx>
+
+namespace laminate_offset
+{
+
+//! Builds the face with the base's loops, edge order, orientations and location, then checks it.
+//! Vertex and edge tolerances are those that the geometry shows, never less than OpenCASCADE's
+//! resolution.
+//! Refusal: InvalidResult.
+Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops);
+
+} // namespace laminate_offset

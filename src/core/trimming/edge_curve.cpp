@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "edge_curve.h"
+
+#include "../spline/knot_choice.h"
+#include "../spline/least_squares.h"
+
+#include <Adaptor3d_CurveOnSurface.hxx>
+#include <BSplCLib.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <GeomAbs_CurveType.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <GeomLib.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int most_rounds = 6;
+constexpr int checks_per_interval = 24;
+constexpr int least_checks = 200;
+constexpr int crossing_probes = 32;
+// A pcurve counts as isoparametric when it strays from the line by less than this part of its length.
+constexpr double iso_straightness = 1e-12;
+
+//! A pcurve that runs along u = value or v = value, linearly in its own parameter.
+struct IsoLine
+{
+    bool constant_u = false;
+    double value = 0.0;
+    double start = 0.0; //!< the running parameter at the pcurve's first and last parameter
+    double end = 0.0;
+};
+
+std::optional<IsoLine> iso_line(const CurveOnSurface &c)
+{
+    const gp_Pnt2d a = c.pcurve->Value(c.first);
+    const gp_Pnt2d b = c.pcurve->Value(c.last);
+    const bool constant_u = std::abs(a.X() - b.X()) < std::abs(a.Y() - b.Y());
+    IsoLine iso{constant_u, constant_u ? a.X() : a.Y(), constant_u ? a.Y() : a.X(), constant_u ? b.Y() : b.X()};
+    double u0, u1, v0, v1;
+    c.surface->Bounds(u0, u1, v0, v1);
+    const double length = std::abs(iso.end - iso.start);
+    if (!(length > 0.0))
+        return std::nullopt;
+    constexpr int probes = 9;
+    for (int i = 0; i <= probes; ++i)
+    {
+        const double s = static_cast<double>(i) / probes;
+        const gp_Pnt2d p = c.pcurve->Value(c.first + (c.last - c.first) * s);
+        const double across = constant_u ? p.X() : p.Y();
+        const double along = constant_u ? p.Y() : p.X();
+        if (std::abs(across - iso.value) > iso_straightness * std::max(length, std::abs(iso.value)) ||
+            std::abs(along - (iso.start + (iso.end - iso.start) * s)) > iso_straightness * length)
+            return std::nullopt;
+    }
+    return iso;
+}
+
+//! The isoparametric curve of a B-spline surface with the pcurve's parameters.
+Handle(Geom_Curve) iso_curve(const Geom_BSplineSurface &surface, const IsoLine &iso, double first, double last)
+{
+    const Handle(Geom_Curve) whole = iso.constant_u ? surface.UIso(iso.value) : surface.VIso(iso.value);
+    const auto curve = Handle(Geom_BSplineCurve)::DownCast(whole);
+    const double low = std::min(iso.start, iso.end);
+    const double high = std::max(iso.start, iso.end);
+    if (low < curve->FirstParameter() || high > curve->LastParameter())
+        return {};
+    curve->Segment(low, high);
+    if (iso.start > iso.end)
+        curve->Reverse();
+    TColStd_Array1OfReal knots(1, curve->NbKnots());
+    curve->Knots(knots);
+    BSplCLib::Reparametrize(first, last, knots);
+    curve->SetKnots(knots);
+    return Handle(Geom_Curve)(curve);
+}
+
+//! OpenCASCADE's own exact curve of a simple pcurve on an analytic surface.
+Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
+{
+    Handle(Geom2dAdaptor_Curve) pcurve = new Geom2dAdaptor_Curve(c.pcurve, c.first, c.last);
+    Handle(GeomAdaptor_Surface) surface = new GeomAdaptor_Surface(c.surface);
+    Adaptor3d_CurveOnSurface on_surface(pcurve, surface);
+    const GeomAbs_CurveType type = on_surface.GetType();
+    if (type != GeomAbs_Line && type != GeomAbs_Circle && type != GeomAbs_Ellipse)
+        return {};
+    Handle(Geom_Curve) curve;
+    double deviation = 0.0;
+    double average = 0.0;
+    GeomLib::BuildCurve3d(1e-9, on_surface, c.first, c.last, curve, deviation, average);
+    return curve;
+}
+
+//! Knots of the pcurve with their continuity.
+void add_pcurve_breaks(const CurveOnSurface &c, std::vector<DataBreak> &breaks)
+{
+    Handle(Geom2d_Curve) curve = c.pcurve;
+    while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
+        curve = trimmed->BasisCurve();
+    const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve);
+    if (spline.IsNull())
+        return;
+    for (int i = 1; i <= spline->NbKnots(); ++i)
+        breaks.push_back({spline->Knot(i), std::max(0, spline->Degree() - spline->Multiplicity(i))});
+}
+
+//! Parameters at which the pcurve crosses a knot line of the surface.
+void add_crossings(const CurveOnSurface &c, bool along_u, double knot, int continuity, std::vector<DataBreak> &breaks)
+{
+    const auto height = [&](double t) {
+        const gp_Pnt2d p = c.pcurve->Value(t);
+        return (along_u ? p.X() : p.Y()) - knot;
+    };
+    double low = c.first;
+    double at_low = height(low);
+    for (int i = 1; i <= crossing_probes; ++i)
+    {
+        const double end = c.first + (c.last - c.first) * i / crossing_probes;
+        const double at_end = height(end);
+        double a = low;
+        double b = end;
+        for (int k = 0; at_low * at_end < 0.0 && k < 60; ++k)
+        {
+            const double middle = 0.5 * (a + b);
+            (height(middle) * at_low > 0.0 ? a : b) = middle;
+        }
+        if (at_low * at_end < 0.0)
+            breaks.push_back({0.5 * (a + b), continuity});
+        low = end;
+        at_low = at_end;
+    }
+}
+
+//! All interior parameters at which the curve on the surface is less than smooth, merged.
+std::vector<DataBreak> composite_breaks(const CurveOnSurface &c)
+{
+    std::vector<DataBreak> breaks;
+    add_pcurve_breaks(c, breaks);
+    if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface))
+    {
+        for (int i = spline->FirstUKnotIndex() + 1; i < spline->LastUKnotIndex(); ++i)
+            add_crossings(c, true, spline->UKnot(i), spline->UDegree() - spline->UMultiplicity(i), breaks);
+        for (int i = spline->FirstVKnotIndex() + 1; i < spline->LastVKnotIndex(); ++i)
+            add_crossings(c, false, spline->VKnot(i), spline->VDegree() - spline->VMultiplicity(i), breaks);
+    }
+    std::sort(breaks.begin(), breaks.end(), [](const auto &a, const auto &b) { return a.parameter < b.parameter; });
+    std::vector<DataBreak> merged;
+    const double same = 1e-7 * (c.last - c.first);
+    for (const DataBreak &b : breaks)
+    {
+        if (b.parameter <= c.first + same || b.parameter >= c.last - same)
+            continue;
+        if (!merged.empty() && b.parameter - merged.back().parameter <= same)
+            merged.back().continuity = std::min(merged.back().continuity, b.continuity);
+        else
+            merged.push_back(b);
+    }
+    return merged;
+}
+
+RowMatrix sampled(const CurveOnSurface &c, const std::vector<double> &parameters, const gp_Pnt &origin)
+{
+    RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+    {
+        const gp_XYZ p = c.value(parameters[i]).XYZ() - origin.XYZ();
+        rows.row(static_cast<Eigen::Index>(i)) << p.X(), p.Y(), p.Z();
+    }
+    return rows;
+}
+
+Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &poles, const gp_Pnt &origin)
+{
+    TColgp_Array1OfPnt points(1, static_cast<int>(poles.rows()));
+    for (int i = 0; i < poles.rows(); ++i)
+        points(i + 1) = gp_Pnt(origin.XYZ() + gp_XYZ(poles(i, 0), poles(i, 1), poles(i, 2)));
+    const std::vector<Knot> distinct = kv.distinct();
+    TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
+    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
+    for (int i = 1; i <= knots.Length(); ++i)
+    {
+        knots(i) = distinct[static_cast<std::size_t>(i) - 1].parameter;
+        multiplicities(i) = distinct[static_cast<std::size_t>(i) - 1].multiplicity;
+    }
+    return new Geom_BSplineCurve(points, knots, multiplicities, kv.degree);
+}
+
+std::optional<EdgeCurve> fitted_curve(const CurveOnSurface &c, double tolerance)
+{
+    const gp_Pnt origin = c.value(0.5 * (c.first + c.last));
+    KnotProblem problem;
+    problem.low = c.first;
+    problem.high = c.last;
+    problem.breaks = composite_breaks(c);
+    problem.tolerance = 0.8 * tolerance;
+    problem.min_degree = 3;
+    problem.max_degree = 5;
+    problem.sample = [&](const std::vector<double> &parameters) { return sampled(c, parameters, origin); };
+    std::vector<double> ends{c.first};
+    for (const DataBreak &b : problem.breaks)
+        ends.push_back(b.parameter);
+    ends.push_back(c.last);
+    for (int round = 0; round < most_rounds; ++round)
+    {
+        const std::optional<KnotChoice> choice = choose_knots(problem);
+        if (!choice)
+            return std::nullopt;
+        const std::vector<double> parameters =
+            chebyshev_parameters(merged_breaks(ends, choice->knots.breaks()), choice->knots.degree + 3);
+        const auto solver = LeastSquaresFit::make(choice->knots, parameters);
+        if (!solver)
+            return std::nullopt;
+        EdgeCurve result;
+        result.curve = curve_from(choice->knots, solver->solve(sampled(c, parameters, origin)), origin);
+        result.deviation = largest_distance(result.curve, c);
+        if (result.deviation <= tolerance)
+            return result;
+        problem.tolerance *= std::clamp(0.8 * tolerance / result.deviation, 0.2, 0.7);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+gp_Pnt CurveOnSurface::value(double t) const
+{
+    const gp_Pnt2d uv = pcurve->Value(t);
+    return surface->Value(uv.X(), uv.Y());
+}
+
+double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &on_surface)
+{
+    int intervals = 1;
+    if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve))
+        intervals = spline->NbKnots() - 1;
+    const int checks = std::max(least_checks, checks_per_interval * intervals);
+    double worst = 0.0;
+    for (int i = 0; i <= checks; ++i)
+    {
+        const double t = on_surface.first + (on_surface.last - on_surface.first) * i / checks;
+        worst = std::max(worst, curve->Value(t).SquareDistance(on_surface.value(t)));
+    }
+    return std::sqrt(worst);
+}
+
+std::optional<EdgeCurve> edge_curve(const CurveOnSurface &c, double tolerance)
+{
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface);
+    Handle(Geom_Curve) exact;
+    if (spline.IsNull())
+        exact = analytic_curve(c);
+    else if (const std::optional<IsoLine> iso = iso_line(c))
+        exact = iso_curve(*spline, *iso, c.first, c.last);
+    if (!exact.IsNull())
+        if (const double deviation = largest_distance(exact, c); deviation <= tolerance)
+            return EdgeCurve{exact, deviation};
+    return fitted_curve(c, tolerance);
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Stage Trimming: the base's trimming curves carried over to the offset surface.
+//!
+//! The offset keeps the base's parameters, so a pcurve is taken over unchanged (shifted where the
+//! surface says so) and only the curve in space is new.
+#pragma once
+
+#include "../analysis/base_surface.h"
+#include "../base/result.h"
+#include "../input/input_face.h"
+#include "../surface/offset_surface.h"
+
+#include <Geom_Curve.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! One edge of the offset face.
+struct OffsetEdge
+{
+    Handle(Geom_Curve) curve; //!< null for an edge that stays a point
+    Handle(Geom2d_Curve) pcurve;
+    Handle(Geom2d_Curve) second_pcurve; //!< of a seam, else null
+    double first = 0.0;
+    double last = 0.0;
+    double surface_deviation = 0.0; //!< largest distance seen of the curve from the offset surface at its pcurve [mm]
+    double sampled_error = 0.0;     //!< largest distance seen from the exact offset of the base edge [mm]
+};
+
+//! The offset edges; edge k belongs to the base edge bases(k + 1).
+struct TrimLoops
+{
+    TopTools_IndexedMapOfShape bases;
+    std::vector<OffsetEdge> edges;
+};
+
+//! Everything an edge is fitted against.
+struct EdgeContext
+{
+    const InputFace &input;
+    const BaseSurface &base;
+    const OffsetSurface &surface;
+    double distance = 0.0;  //!< along S_u x S_v [mm]
+    double tolerance = 0.0; //!< largest deviation of an edge curve from the offset surface [mm]
+};
+
+//! Makes the curves of all edges.
+//! Refusals: EdgeToleranceNotReached, SingularNormal (an edge that is a point on the base opens up).
+Result<TrimLoops> offset_loops(const EdgeContext &context);
+
+} // namespace laminate_offset
