@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Progress, cancelling, Ctrl-C, and other Python threads running on during a computation."""
+
+import signal
+import threading
+import time
+from typing import List
+
+import laminate_offset as lo
+import pytest
+import sample_shapes
+
+DISTANCE, TIGHT = 5.0, 1e-7
+
+
+@pytest.fixture(scope="module")
+def heavy():
+    """A face whose offset takes a good while, which the test of threads checks."""
+    return sample_shapes.heavy_face()
+
+
+def test_other_threads_run_during_the_computation(heavy) -> None:
+    ticks: List[float] = []
+    stop = threading.Event()
+
+    def tick() -> None:
+        while not stop.wait(0.001):
+            ticks.append(time.perf_counter())
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    start = time.perf_counter()
+    try:
+        lo.offset_face(heavy, DISTANCE, TIGHT)
+    finally:
+        end = time.perf_counter()
+        stop.set()
+        thread.join()
+    duration = end - start
+    assert duration > 0.05, "the computation is too short to tell anything"
+    middle = [moment for moment in ticks if start + 0.2 * duration < moment < end - 0.2 * duration]
+    assert len(middle) >= 5
+
+
+def test_two_threads_offset_at_the_same_time() -> None:
+    base = sample_shapes.trimmed_bspline_face()
+    expected = lo.offset_face(base, 2.0).face.exportBrepToString()
+    results: List[str] = []
+    threads = [
+        threading.Thread(target=lambda: results.append(lo.offset_face(base, 2.0).face.exportBrepToString()))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    base.tessellate(0.01)
+    for thread in threads:
+        thread.join()
+    assert results == [expected] * 4
+
+
+def test_progress_rises_from_zero_to_one(heavy) -> None:
+    fractions: List[float] = []
+    lo.offset_face(heavy, DISTANCE, TIGHT, progress=fractions.append)
+    assert len(fractions) >= 3
+    assert fractions == sorted(fractions)
+    assert 0.0 <= fractions[0] < 0.5 < fractions[-1] <= 1.0
+
+
+@pytest.mark.parametrize("answer", [None, True, 1])
+def test_any_answer_but_a_false_one_goes_on(answer) -> None:
+    assert lo.offset_face(sample_shapes.bspline_face(), 1.0, progress=lambda _: answer).report.status == "ok"
+
+
+@pytest.mark.parametrize("make", [sample_shapes.bspline_face, sample_shapes.sphere_face])
+@pytest.mark.parametrize("answer", [False, 0])
+def test_a_false_answer_cancels(make, answer) -> None:
+    calls: List[float] = []
+
+    def stop(fraction: float) -> object:
+        calls.append(fraction)
+        return answer
+
+    with pytest.raises(lo.OffsetError) as caught:
+        lo.offset_face(make(), 1.0, progress=stop)
+    assert caught.value.status == caught.value.report.status == "cancelled"
+    assert len(calls) == 1
+
+
+def test_what_progress_raises_is_raised() -> None:
+    class Unwell(Exception):
+        pass
+
+    def fail(_fraction: float) -> None:
+        raise Unwell("as told")
+
+    with pytest.raises(Unwell, match="as told"):
+        lo.offset_face(sample_shapes.bspline_face(), 1.0, progress=fail)
+
+
+def test_progress_must_be_callable() -> None:
+    with pytest.raises(TypeError, match="progress must be None or a callable"):
+        lo.offset_face(sample_shapes.bspline_face(), 1.0, progress=3)
+
+
+def test_progress_from_another_thread() -> None:
+    seen: List[int] = []
+    thread = threading.Thread(
+        target=lambda: lo.offset_face(
+            sample_shapes.bspline_face(), 1.0, progress=lambda _: seen.append(threading.get_ident())
+        )
+    )
+    thread.start()
+    thread.join()
+    assert seen
+
+
+def test_ctrl_c_stops_the_computation(heavy) -> None:
+    start = time.perf_counter()
+    lo.offset_face(heavy, DISTANCE, TIGHT)
+    usual = time.perf_counter() - start
+    previous = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2 * usual)
+        start = time.perf_counter()
+        with pytest.raises(KeyboardInterrupt):
+            lo.offset_face(heavy, DISTANCE, TIGHT)
+            pytest.fail("the computation went to its end")
+        assert time.perf_counter() - start < 0.8 * usual
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, previous)
