@@ -46,6 +46,16 @@ Handle(Geom_BSplineSurface) restricted(const Handle(Geom_BSplineSurface) & surfa
     return copy;
 }
 
+//! Cutting a periodic surface may move its parameters by whole periods: back to where the loops are.
+void realign(KnotVector &kv, double low, double high)
+{
+    const double shift = 0.5 * (low + high) - 0.5 * (kv.front() + kv.back());
+    if (std::abs(shift) <= 0.1 * (high - low))
+        return;
+    for (double &t : kv.knots)
+        t += shift;
+}
+
 bool keeps_parameters(const Handle(Geom_Curve) & profile)
 {
     Handle(Geom_Curve) curve = profile;
@@ -131,6 +141,10 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
     if (const Handle(Geom_BSplineSurface) spline = same_parameter_spline(surface, box); !spline.IsNull())
     {
         m_spline = from_geom(spline);
+        if (surface->IsUPeriodic())
+            realign(m_spline->u, box.umin, box.umax);
+        if (surface->IsVPeriodic())
+            realign(m_spline->v, box.vmin, box.vmax);
         m_box = {m_spline->u.front(), m_spline->u.back(), m_spline->v.front(), m_spline->v.back()};
         m_breaks_u = spline_breaks(m_spline->u);
         m_breaks_v = spline_breaks(m_spline->v);
