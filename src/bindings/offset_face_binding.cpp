@@ -49,13 +49,18 @@ TopoDS_Shape detached(const TopoDS_Shape &shape)
     }
 }
 
+//! The core reports from inside its long stages only; the begin and the end are told here, so that every
+//! computation can be watched and cancelled.
 Result<OffsetResult> run_without_gil(const TopoDS_Shape &base, OffsetOptions options, PythonProgress &progress)
 {
-    options.progress = [&progress](double fraction) { return progress.report(fraction); };
+    const Failure cancelled{Status::Cancelled, Stage::Options, std::string(sentence(Status::Cancelled)), {}, {}};
     const py::gil_scoped_release release;
+    if (!progress.report(0.0))
+        return cancelled;
+    options.progress = [&progress](double fraction) { return progress.report(fraction); };
     Result<OffsetResult> result = offset_face(base, options);
-    if (result && progress.cancelled())
-        return Failure{Status::Cancelled, Stage::Report, std::string(sentence(Status::Cancelled)), {}, {}};
+    if (result && !progress.report(1.0))
+        return cancelled;
     return result;
 }
 

@@ -12,7 +12,8 @@
 namespace laminate_offset::python
 {
 
-//! Ways to move a shape across, best first. All keep poles, orientation and placement.
+//! Ways to move a shape across, best first. All keep poles and orientation exactly; the placement too,
+//! but for BREP text, which writes it with 15 digits.
 enum class ShapeExchange
 {
     ZeroCopy, //!< the same TShape on both sides, through SWIG's runtime; microseconds

@@ -4,7 +4,6 @@
 import math
 from typing import Any, List
 
-import laminate_offset  # noqa: F401  (finds FreeCAD)
 import FreeCAD
 import Part
 
@@ -89,9 +88,12 @@ def edge_deviation(base: Any, offset: Any, distance: float, count: int = 7) -> f
     return worst
 
 
-def poles(face: Any) -> List[List[Any]]:
-    """The control points of a B-spline face as plain numbers."""
-    return [[tuple(pole) for pole in row] for row in face.Surface.getPoles()]
+def largest_difference(first: Any, second: Any) -> float:
+    """The largest distance between the poles of two B-spline faces that have the same number of them."""
+    rows = list(zip(first.Surface.getPoles(), second.Surface.getPoles()))
+    assert len(rows) == first.Surface.NbUPoles == second.Surface.NbUPoles
+    assert first.Surface.NbVPoles == second.Surface.NbVPoles
+    return max((a - b).Length for row, other in rows for a, b in zip(row, other))
 
 
 def _inside(face: Any, count: int) -> List[Any]:

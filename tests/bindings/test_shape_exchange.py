@@ -40,7 +40,9 @@ def test_a_face_comes_back_exactly(way: str, kind: str) -> None:
     assert [edge.Orientation for edge in back.Edges] == [edge.Orientation for edge in face.Edges]
     assert back.Area == pytest.approx(face.Area, rel=1e-12)
     if kind != "seam":
-        assert sample_shapes.poles(back) == sample_shapes.poles(face)
+        # Poles are read with the placement applied, of which BREP text keeps 15 digits.
+        rounding = 1e-12 if way == "brep-text" and "moved" in kind else 0.0
+        assert sample_shapes.largest_difference(back, face) <= rounding
 
 
 @pytest.mark.parametrize("way", exchange.WAYS)
@@ -118,7 +120,7 @@ def test_the_environment_naming_no_way_is_an_import_error(python) -> None:
 
 def test_without_the_bridge_the_next_way_is_taken(python) -> None:
     code = (
-        "import Part; del Part.__toPythonOCC__\n"
+        "import FreeCAD, Part; del Part.__toPythonOCC__\n"
         "import laminate_offset as lo; print(lo.shape_exchange())\n"
         "print(lo.offset_face(Part.makeSphere(10).Faces[0], 1.0).report.status)"
     )
@@ -127,7 +129,7 @@ def test_without_the_bridge_the_next_way_is_taken(python) -> None:
 
 def test_another_opencascade_is_not_shared(python) -> None:
     code = (
-        "import Part; Part.OCC_VERSION = '1.2.3'\n"
+        "import FreeCAD, Part; Part.OCC_VERSION = '1.2.3'\n"
         "import laminate_offset as lo; print(lo.shape_exchange()); print(lo.exchange.self_test('zero-copy'))"
     )
     lines = python(code).stdout.splitlines()
@@ -135,7 +137,9 @@ def test_another_opencascade_is_not_shared(python) -> None:
 
 
 def test_when_nothing_works_the_import_says_what_was_tried(python) -> None:
-    run = python("import Part\n" "Part.OCC_VERSION = '1.2.3'; del Part.cast_to_shape\n" "import laminate_offset")
+    run = python(
+        "import FreeCAD, Part\n" "Part.OCC_VERSION = '1.2.3'; del Part.cast_to_shape\n" "import laminate_offset"
+    )
     assert run.returncode == 1
     last_line = run.stderr.strip().splitlines()[-1]
     assert last_line.startswith("ImportError: No way to exchange shapes")
