@@ -17,6 +17,23 @@ install(
     PATTERN "*.h"
 )
 
+install(
+    FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/laminate-offset
+    COMPONENT application
+)
+install(
+    FILES ${PROJECT_SOURCE_DIR}/LICENSE
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/laminate-offset
+    RENAME copyright
+    COMPONENT application
+)
+
+# package.xml names the licence file beside it.
+if(LAMINATE_OFFSET_BUILD_PYTHON)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${LAMINATE_OFFSET_INSTALL_ADDON_DIR})
+endif()
+
 configure_package_config_file(
     ${PROJECT_SOURCE_DIR}/cmake/LaminateOffsetConfig.cmake.in ${PROJECT_BINARY_DIR}/LaminateOffsetConfig.cmake
     INSTALL_DESTINATION ${LAMINATE_OFFSET_INSTALL_CMAKE_DIR}

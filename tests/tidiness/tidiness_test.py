@@ -132,3 +132,16 @@ def test_most_functions_of_the_core_are_very_short() -> None:
     lengths = sorted(f.lines for f in source_tree.functions() if f.place.startswith("src/core/"))
     assert len(lengths) > 20
     assert lengths[int(0.9 * len(lengths))] <= PERCENTILE_LIMIT
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    patterns = {
+        "CMakeLists.txt": r"^\s*VERSION (\S+)$",
+        "Mod/LaminateOffset/package.xml": r"<version>([^<]+)</version>",
+    }
+    found = {}
+    for name, pattern in patterns.items():
+        match = re.search(pattern, (source_tree.ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)
+        assert match, f"{name} states no version"
+        found[name] = match.group(1)
+    assert len(set(found.values())) == 1, found
