@@ -160,7 +160,7 @@ TEST_F(RealModel, EveryFaceOfTheNoseMouldIsRightOrRefusedWithAReason)
             if (result.ok())
             {
                 ++made;
-                const OracleOptions how{60, 40};
+                const OracleOptions how{40, 25};
                 EXPECT_TRUE(confirms(measure_offset(faces[i], result.value().face, distance, how), tolerance));
                 continue;
             }
