@@ -20,3 +20,7 @@ def test_face_is_picked_with_the_mouse():
 
 def test_long_work_is_cancelled_with_escape():
     run_scenario("cancel_long_work", refusals=["cancelled"])
+
+
+def test_free_form_panel_to_both_sides():
+    run_scenario("panel")

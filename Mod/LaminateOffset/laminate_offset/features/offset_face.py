@@ -41,6 +41,14 @@ _PROPERTIES = (
         "App::PropertyLength", "SampledError", "Report", "Largest deviation seen; not a bound", math.nan, READ_ONLY
     ),
     Property("App::PropertyLength", "EdgeError", "Report", "Bound of the edge curves' deviation", math.nan, READ_ONLY),
+    Property(
+        "App::PropertyLength",
+        "SampledEdgeError",
+        "Report",
+        "Largest edge deviation seen; not a bound",
+        math.nan,
+        READ_ONLY,
+    ),
     Property("App::PropertyInteger", "Poles", "Report", "Control points; 0 for exact surfaces", 0, READ_ONLY),
     Property("App::PropertyInteger", "Degree", "Report", "Highest degree; 0 for exact surfaces", 0, READ_ONLY),
     Property("App::PropertyString", "Surface", "Report", "Kind of the offset surface", "", READ_ONLY),
@@ -203,6 +211,7 @@ def _write_figures(feature: Any, reports: List[Mapping[str, Any]]) -> None:
     feature.CertifiedError = _worst(reports, "certified_error")
     feature.SampledError = _worst(reports, "sampled_error")
     feature.EdgeError = _worst(reports, "edge_error")
+    feature.SampledEdgeError = _worst(reports, "sampled_edge_error")
     surfaces = [report["surface"] for report in reports]
     feature.Poles = sum(surface["poles_u"] * surface["poles_v"] for surface in surfaces)
     feature.Degree = max((max(surface["degree_u"], surface["degree_v"]) for surface in surfaces), default=0)

@@ -84,6 +84,8 @@ class OffsetFacePanel:
         for box, name in ((self.form.distance, "Distance"), (self.form.tolerance, "Tolerance")):
             box.setProperty("value", getattr(first, name))
             FreeCADGui.ExpressionBinding(box).bind(first, name)
+        # With several objects it would not be clear whose face is replaced.
+        self.form.pick.setEnabled(len(self._features) == 1)
         self._show_faces()
 
     def _connect(self) -> None:

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The add-on's files: what FreeCAD's Addon manager and its start need, and no GUI where it must not be."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import laminate_offset
+import pytest
+
+ADDON = pathlib.Path(os.environ["LAMINATE_OFFSET_BUILD_DIR"]) / "Mod" / "LaminateOffset"
+NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"
+
+
+def metadata():
+    return ElementTree.parse(ADDON / "package.xml").getroot()
+
+
+def test_the_tests_see_the_add_on_of_the_build_tree():
+    assert pathlib.Path(laminate_offset.__file__).resolve().parent == (ADDON / "laminate_offset").resolve()
+
+
+def test_package_metadata_has_what_the_addon_manager_needs():
+    root = metadata()
+    assert root.tag == NAMESPACE + "package" and root.get("format") == "1"
+    for tag in ("name", "description", "version", "date", "maintainer", "license", "url", "icon", "content"):
+        assert root.find(NAMESPACE + tag) is not None, f"<{tag}> is missing"
+    assert root.find(NAMESPACE + "license").text == "LGPL-2.1-or-later"
+    assert root.find(NAMESPACE + "maintainer").get("email").endswith("@example.org")
+    assert root.find(NAMESPACE + "version").text == laminate_offset.__version__
+
+
+def test_workbench_metadata_fits_the_code():
+    workbench = metadata().find(f"{NAMESPACE}content/{NAMESPACE}workbench")
+    assert workbench.find(NAMESPACE + "freecadmin").text == "0.20.0"
+    name = workbench.find(NAMESPACE + "classname").text
+    assert f"class {name}(" in (ADDON / "InitGui.py").read_text(encoding="utf-8")
+    for icon in (metadata().find(NAMESPACE + "icon"), workbench.find(NAMESPACE + "icon")):
+        assert (ADDON / icon.text).is_file(), icon.text
+
+
+@pytest.mark.parametrize("name", ["LaminateOffset", "LaminateOffset_OffsetFace"])
+def test_icons_are_drawings_of_64_by_64(name):
+    root = ElementTree.parse(ADDON / "resources" / "icons" / f"{name}.svg").getroot()
+    assert root.get("viewBox") == "0 0 64 64"
+    assert len(root.findall(".//{http://www.w3.org/2000/svg}path")) >= 3
+
+
+def test_init_files_do_not_use_their_own_path():
+    for name in ("Init.py", "InitGui.py"):
+        code = (ADDON / name).read_text(encoding="utf-8").split('"""', 2)[2]
+        assert "__file__" not in code, f"{name}: FreeCAD 0.20 executes it without __file__"
+
+
+def test_gui_modules_are_used_inside_gui_only():
+    sources = [
+        path
+        for path in (ADDON / "laminate_offset").rglob("*.py")
+        if "gui" not in path.relative_to(ADDON / "laminate_offset").parts
+    ]
+    assert len(sources) > 8
+    for path in sources:
+        found = re.search(r"^\s*(?:import|from)\s+(FreeCADGui|PySide\d?|pivy)\b", path.read_text("utf-8"), re.MULTILINE)
+        assert not found, f"{path.name} imports {found.group(1)}"
+
+
+_CREATE_WITHOUT_GUI = """
+import sys
+import FreeCAD as App
+from laminate_offset.gui.commands.offset_face import OffsetFaceCommand
+doc = App.newDocument("T")
+ball = doc.addObject("Part::Sphere", "Ball")
+doc.recompute()
+(offset,) = OffsetFaceCommand.create([(ball, ["Face1"])], doc)
+(empty,) = OffsetFaceCommand.create([], doc)
+doc.recompute()
+assert offset.Status == "ok" and offset.Shape.Faces[0].Surface.Radius == 6, offset.Message
+assert empty.Status == "null-shape" and empty.Shape.isNull()
+assert "FreeCADGui" not in sys.modules and "PySide" not in sys.modules
+print("DONE")
+"""
+
+
+def test_command_creates_without_the_gui():
+    done = subprocess.run([sys.executable, "-c", _CREATE_WITHOUT_GUI], capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "DONE" in done.stdout, done.stderr
