@@ -26,7 +26,7 @@ def load_request():
         return json.load(stream)
 
 
-def add(document, name, shape, colour, line_width=2.0):
+def add(document, name, shape, colour, line_width=3.0):
     """Adds the shape to the document in its colour, finely tessellated; returns the object."""
     thing = document.addObject("Part::Feature", name)
     thing.Shape = shape
@@ -54,7 +54,7 @@ def save_picture(request):
     base, offset = (Part.read(request[name]) for name in ("base", "offset"))
     add(document, "Base", base, request["base_colour"])
     add(document, "Offset", offset, request["offset_colour"]).ViewObject.Transparency = 25
-    add(document, "Normals", normals(base, offset), (0.2, 0.2, 0.2), 1.5)
+    add(document, "Normals", normals(base, offset), (0.2, 0.2, 0.2), 2.5)
     document.recompute()
     view = FreeCADGui.getDocument(document.Name).activeView()
     light = coin.SoDirectionalLight()  # from above, besides the one at the camera

@@ -28,7 +28,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 BASE_COLOUR = (0.62, 0.70, 0.82)
 OFFSET_COLOUR = (1.00, 0.66, 0.20)
 SIGHT = (0.60, 0.70, -0.75)  # direction in which the camera looks, z upwards
-VIEW_SIZE = (2400, 1600)  # pixels of the raw view; it is cropped and halved
+VIEW_SIZE = (3600, 2400)  # pixels of the raw view; it is cropped and halved
 FREECAD_TIMEOUT_S = 120
 USER_CONFIGURATION = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
