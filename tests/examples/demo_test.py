@@ -3,6 +3,7 @@
 
 import importlib.util
 import json
+import re
 import sys
 import zipfile
 from pathlib import Path
@@ -44,9 +45,12 @@ def test_document_holds_base_and_parametric_offset(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["panel.FCStd"]
     with zipfile.ZipFile(out) as document:
         text = document.read("Document.xml").decode()
+        views = document.read("GuiDocument.xml").decode()
         shapes = [name for name in document.namelist() if name.endswith((".brp", ".bin"))]
     assert 'name="Base"' in text and 'name="Offset"' in text
     assert len(shapes) == 2 and len(set(shapes)) == 2
+    visible = re.findall(r'<ViewProvider name="(\w+)".*?"Visibility".*?<Bool value="true"/>', views)
+    assert visible == ["Base", "Offset"], "FreeCAD hides what has no view settings"
 
 
 def test_document_of_a_refused_offset_is_not_written(tmp_path):
