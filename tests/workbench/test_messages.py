@@ -43,5 +43,9 @@ def test_refusal_names_face_reason_place_and_range():
     assert text == "Face3: It folds. Place: (1, 2, 3.5) mm. Feasible distances: from -9.5 mm up to 8 mm."
 
 
+def test_place_shows_rounding_noise_as_zero():
+    assert messages.place({"x": 6.1e-16, "y": -1e-12, "z": -10.0}) == "(0, 0, -10) mm"
+
+
 def test_refusal_of_any_other_error():
     assert messages.refusal(ValueError("The tolerance is 0.")) == "The tolerance is 0."

@@ -81,8 +81,8 @@ def test_path_as_the_selection_gives_it(doc, box):
 
 
 def test_pad_in_a_body(doc):
-    # Plain Python knows FreeCAD's library folder only; FreeCAD itself also its Mod folders.
-    sys.path.append(os.path.join(App.getResourceDir(), "Mod", "PartDesign"))
+    # Plain Python knows FreeCAD's library folder only; FreeCAD itself also the Mod folders.
+    sys.path.append(os.path.join(App.getResourceDir(), "Mod"))
     body = doc.addObject("PartDesign::Body", "Body")
     pad = doc.addObject("PartDesign::AdditiveBox", "Pad")
     body.addObject(pad)

@@ -27,7 +27,8 @@ def place(where: Any) -> str:
     """The place on the base face, e.g. "(12, 0, 3.5) mm"; "" when there is none."""
     if not where:
         return ""
-    return "({:.5g}, {:.5g}, {:.5g}) mm".format(*(_entry(where, axis) for axis in "xyz"))
+    # Rounding to 1e-6 mm keeps 6e-17 from being shown where zero is meant; adding 0.0 turns -0.0 into 0.0.
+    return "({:.7g}, {:.7g}, {:.7g}) mm".format(*(round(_entry(where, axis), 6) + 0.0 for axis in "xyz"))
 
 
 def refusal(error: Exception, face: str = "") -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work that takes long shows its progress; Esc ends it and the panel stays."""
+"""Work that takes long shows its progress; Esc or Cancel ends it and the panel stays."""
 
 import time
 
@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 import laminate_offset
 from PySide import QtCore, QtGui
 from PySide2.QtTest import QTest
-from session import offsets, press, pump, result_is_red, result_text, run_command, screenshot, select, start
+from session import offsets, press, result_is_red, result_text, run_command, screenshot, select, start
 
 BUTTON = QtGui.QDialogButtonBox
 SECONDS = 30.0
@@ -22,17 +22,25 @@ def run() -> None:
     run_command()
     engine, seen = laminate_offset.offset_face, []
     laminate_offset.offset_face = slowed(engine, seen)
-    QtCore.QTimer.singleShot(2000, press_escape)
+    for gesture in (press_escape, press_cancel):
+        cancelled_by(gesture, doc, seen)
+    laminate_offset.offset_face = engine
+    press(BUTTON.Ok)
+    (offset,) = offsets(doc)
+    assert offset.Status == "ok" and not Gui.Control.activeDialog()
+
+
+def cancelled_by(gesture, doc, seen) -> None:
+    """The gesture ends the work soon; the panel stays and says so."""
+    seen.clear()
+    QtCore.QTimer.singleShot(2000, gesture)
     began = time.monotonic()
     press(BUTTON.Ok)
-    assert time.monotonic() - began < SECONDS / 2, "Esc did not end the work"
+    assert time.monotonic() - began < SECONDS / 2, f"{gesture.__name__} did not end the work"
     assert Gui.Control.activeDialog() and result_is_red() and "cancelled" in result_text(), result_text()
     (offset,) = offsets(doc)
     assert offset.Status == "cancelled" and offset.Shape.isNull()
     assert 0 < max(seen) < 0.5
-    laminate_offset.offset_face = engine
-    press(BUTTON.Ok)
-    assert offset.Status == "ok" and not Gui.Control.activeDialog()
 
 
 def slowed(engine, seen):
@@ -51,11 +59,22 @@ def slowed(engine, seen):
     return offset_face
 
 
-def press_escape() -> None:
-    """What a user does who lost patience."""
+def progress_dialog():
+    """The dialog, which must be on top and tell how far the work is."""
     box = QtGui.QApplication.activeModalWidget()
     assert isinstance(box, QtGui.QProgressDialog), box
     assert 0 < box.value() < box.maximum() and "OffsetFace" in box.labelText()
+    return box
+
+
+def press_escape() -> None:
+    """What a user does who lost patience."""
+    box = progress_dialog()
     screenshot("progress")
     QTest.keyClick(box, QtCore.Qt.Key_Escape)
-    pump(10)
+
+
+def press_cancel() -> None:
+    """The same with the mouse."""
+    (button,) = progress_dialog().findChildren(QtGui.QPushButton)
+    QTest.mouseClick(button, QtCore.Qt.LeftButton)

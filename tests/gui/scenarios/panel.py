@@ -31,8 +31,9 @@ def run() -> None:
     view = look_at_all()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(doc.Name, outside.Name)
-    screenshot("both_sides")
+    screenshot("properties")
     Gui.Selection.clearSelection()
+    screenshot("both_sides")
     view.saveImage(os.path.join(OUT, "view.png"), 1200, 900, "White")
 
 

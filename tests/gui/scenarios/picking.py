@@ -16,6 +16,7 @@ from session import (
     run_command,
     screenshot,
     start,
+    type_into,
     widget,
 )
 
@@ -35,6 +36,7 @@ def run() -> None:
     asks_for_a_face(doc)
     pick(part)
     keep(doc, part)
+    several_objects(doc, part)
 
 
 def asks_for_a_face(doc) -> None:
@@ -67,3 +69,20 @@ def keep(doc, part) -> None:
     doc.recompute()
     centre = offset.Shape.CenterOfMass
     assert centre.distanceToPoint(App.Vector(5, 5, 41)) < 1e-9, centre
+
+
+def several_objects(doc, part) -> None:
+    """Faces of two objects are offset together, two of one object among them."""
+    ball = doc.addObject("Part::Sphere", "Ball")
+    doc.recompute()
+    before = offsets(doc)
+    Gui.Selection.clearSelection()
+    for obj, sub in ((part, "Box.Face1"), (ball, "Face1"), (part, "Box.Face6")):
+        Gui.Selection.addSelection(doc.Name, obj.Name, sub)
+    run_command()
+    assert not widget("pick").isEnabled()
+    type_into("distance", "3")
+    press(BUTTON.Ok)
+    of_box, of_ball = [offset for offset in offsets(doc) if offset not in before]
+    assert len(of_box.Shape.Faces) == 2 and of_box.Status == of_ball.Status == "ok"
+    assert math.isclose(of_ball.Shape.Faces[0].Surface.Radius, 8) and of_box.Distance.Value == 3
