@@ -93,11 +93,11 @@ private:
 
     Result<OffsetSurface> offset_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
     {
-        if (auto exact = exact_offset(input, distance))
+        if (std::optional<Result<OffsetSurface>> exact = exact_offset(input, distance))
             return *std::move(exact);
         if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
             return feasible.failure();
-        return fit_offset(analysis.base, input, distance, surface_share * m_options.tolerance, m_options);
+        return fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
     }
 
     static SurfaceSummary summary(const Handle(Geom_Surface) & surface)

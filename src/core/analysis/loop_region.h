@@ -5,21 +5,37 @@
 
 #include "../input/input_face.h"
 
-#include <BRepTopAdaptor_FClass2d.hxx>
+#include <vector>
 
 namespace laminate_offset
 {
 
-//! Answers whether parameters lie inside the trimming loops or on them. Not for use by two threads at once.
+//! Answers where parameters lie with respect to the trimming loops. The loops are cut into short pieces,
+//! each inside a box; away from the boxes the answer is that of the chords and exact. Safe to share
+//! between threads.
 class LoopRegion
 {
 public:
     explicit LoopRegion(const InputFace &input);
 
+    //! Inside the loops; next to them (inside a piece's box) the chord of the piece decides.
     [[nodiscard]] bool contains(const gp_Pnt2d &uv) const;
 
+    //! False only if no point of the rectangle is inside the loops or on them.
+    [[nodiscard]] bool may_touch(const ParameterBox &box) const;
+
+    //! Points on the loops, the ends of the pieces.
+    [[nodiscard]] std::vector<gp_Pnt2d> boundary_points() const;
+
 private:
-    mutable BRepTopAdaptor_FClass2d m_classifier; // its Perform is not const, though it changes nothing seen here
+    struct Piece
+    {
+        gp_Pnt2d start;
+        gp_Pnt2d end;
+        ParameterBox box;
+    };
+
+    std::vector<Piece> m_pieces;
 };
 
 } // namespace laminate_offset

@@ -2,7 +2,6 @@
 #include "surface_analysis.h"
 
 #include "curvature.h"
-#include "loop_region.h"
 
 #include <fmt/format.h>
 
@@ -88,8 +87,8 @@ Result<bool> check_creases(const BaseSurface &base, const InputFace &input, cons
 
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
 {
-    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), std::nullopt, std::nullopt};
-    const LoopRegion region(input);
+    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), LoopRegion(input), std::nullopt, std::nullopt};
+    const LoopRegion &region = analysis.region;
     if (const auto smooth = check_creases(analysis.base, input, region, distance, tolerance); !smooth)
         return smooth.failure();
     const CurvatureExtremes extremes = curvature_extremes(analysis.base, input, region);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base_surface.h"
+#include "loop_region.h"
 
 #include "../base/result.h"
 #include "../input/input_face.h"
@@ -25,6 +26,7 @@ struct CurvatureLimit
 struct SurfaceAnalysis
 {
     BaseSurface base;
+    LoopRegion region;
     std::optional<CurvatureLimit> negative; //!< empty: no limit on that side
     std::optional<CurvatureLimit> positive;
 };

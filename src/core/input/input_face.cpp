@@ -129,17 +129,12 @@ Result<bool> check_closed(const TrimmingLoop &loop, const InputFace &input)
                            [&](const TrimmingCurve &after) { return ends_meet(before, after, input); });
     };
     for (const TrimmingCurve &curve : loop.curves)
-        if (!starts_here(curve))
+        if (curve.bounds_face() && !starts_here(curve))
             return refusal_at(Status::OpenLoop,
                               "A trimming loop does not close: a gap follows the edge that ends at the reported place. "
                               "Close the loop or heal the face.",
                               input, end_point(curve, true));
     return true;
-}
-
-bool bounds_the_face(TopAbs_Orientation orientation)
-{
-    return orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED;
 }
 
 Result<TrimmingLoop> read_loop(const TopoDS_Wire &wire, const InputFace &input)
@@ -177,7 +172,7 @@ double signed_area(const std::vector<TrimmingLoop> &loops)
     for (const TrimmingLoop &loop : loops)
         for (const TrimmingCurve &curve : loop.curves)
         {
-            if (!bounds_the_face(curve.edge.Orientation()))
+            if (!curve.bounds_face())
                 continue;
             constexpr int steps = 32;
             double part = 0.0;
@@ -253,6 +248,11 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
 }
 
 } // namespace
+
+bool TrimmingCurve::bounds_face() const
+{
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+}
 
 int InputFace::edge_count() const
 {

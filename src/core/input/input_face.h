@@ -35,6 +35,9 @@ struct TrimmingCurve
     double last = 0.0;
     bool degenerated = false; //!< the whole curve maps to one point of space
     bool seam = false;        //!< the edge stands twice in the loop, on both sides of a closed surface
+
+    //! False for an edge that only lies in the face (orientation INTERNAL or EXTERNAL).
+    [[nodiscard]] bool bounds_face() const;
 };
 
 //! One wire of the face, in the face's own order.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_surface.h"
 
+#include "certificate.h"
+
 #include "../spline/knot_choice.h"
 #include "../spline/least_squares.h"
 
@@ -140,6 +142,16 @@ double deviation(const BaseSurface &base, const TensorSpline &spline, double dis
     return std::sqrt(worst);
 }
 
+//! The certificate's bound over the trimmed region; nothing for a base that is no spline in its own parameters.
+std::optional<double> proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline, double distance,
+                                   double tolerance)
+{
+    if (!analysis.base.spline())
+        return std::nullopt;
+    const auto needed = [&](const ParameterBox &box) { return analysis.region.may_touch(box); };
+    return certify({*analysis.base.spline(), spline, distance, tolerance, needed}).bound;
+}
+
 struct DirectionChoices
 {
     std::optional<KnotChoice> u;
@@ -185,9 +197,10 @@ Failure singular_refusal(const InputFace &input, const gp_Pnt2d &uv)
 
 } // namespace
 
-Result<OffsetSurface> fit_offset(const BaseSurface &base, const InputFace &input, double distance, double tolerance,
-                                 const OffsetOptions &options)
+Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
+                                 double tolerance, const OffsetOptions &options)
 {
+    const BaseSurface &base = analysis.base;
     OffsetSampler sampler(base, distance);
     double share = first_direction_share;
     double closest = std::numeric_limits<double>::infinity();
@@ -203,19 +216,17 @@ Result<OffsetSurface> fit_offset(const BaseSurface &base, const InputFace &input
         const std::optional<TensorSpline> spline = tensor_fit(base, sampler, choices.u->knots, choices.v->knots);
         if (!spline)
             break;
-        const double error = deviation(base, *spline, distance);
+        const double seen = deviation(base, *spline, distance);
+        const std::optional<double> proven =
+            seen <= tolerance ? proven_bound(analysis, *spline, distance, tolerance) : std::nullopt;
+        const double error = std::max(seen, proven.value_or(0.0));
         closest = std::min(closest, error);
         if (error <= tolerance)
-        {
-            OffsetSurface result;
-            result.geometry = to_geom(*spline);
-            result.sampled_error = error;
-            return result;
-        }
+            return OffsetSurface{to_geom(*spline), {0.0, 0.0}, proven, seen};
         share *= std::clamp(0.9 * tolerance / error, 0.3, 0.8);
     }
     return refusal(Status::ToleranceNotReached,
-                   fmt::format("The offset surface could not be brought within {:.3g} mm (closest {:.3g} mm); loosen the "
+                   fmt::format("The offset surface could not be proven to be within {:.3g} mm (closest {:.3g} mm); loosen the "
                                "tolerance or allow a higher degree.",
                                tolerance, closest));
 }

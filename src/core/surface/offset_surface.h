@@ -36,11 +36,12 @@ inline constexpr double edge_share = 0.1;
 //! Refusal: CurvatureLimit, where the radius inside the loops would not stay positive.
 std::optional<Result<OffsetSurface>> exact_offset(const InputFace &input, double distance);
 
-//! A polynomial B-spline in the base's parameters within `tolerance` [mm] of the exact offset at a
-//! dense set of samples, with degree and knots chosen for few poles.
+//! A polynomial B-spline in the base's parameters within `tolerance` [mm] of the exact offset, with
+//! degree and knots chosen for few poles. The bound is proven over the trimmed region (certificate.h)
+//! where the base is a spline in its own parameters; else it is checked at a dense set of samples.
 //! \param distance along S_u x S_v [mm].
 //! Refusals: SingularNormal, ToleranceNotReached, Cancelled.
-Result<OffsetSurface> fit_offset(const BaseSurface &base, const InputFace &input, double distance, double tolerance,
-                                 const OffsetOptions &options);
+Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
+                                 double tolerance, const OffsetOptions &options);
 
 } // namespace laminate_offset

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bernstein.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int largest_degree = 127;
+
+std::vector<double> pascal_triangle()
+{
+    std::vector<double> table(static_cast<std::size_t>((largest_degree + 1) * (largest_degree + 1)), 0.0);
+    const auto at = [&](int n, int k) -> double & { return table[static_cast<std::size_t>(n * (largest_degree + 1) + k)]; };
+    for (int n = 0; n <= largest_degree; ++n)
+    {
+        at(n, 0) = 1.0;
+        for (int k = 1; k <= n; ++k)
+            at(n, k) = at(n - 1, k - 1) + (k < n ? at(n - 1, k) : 0.0);
+    }
+    return table;
+}
+
+const double *binomials(int n)
+{
+    static const std::vector<double> table = pascal_triangle();
+    return table.data() + n * (largest_degree + 1);
+}
+
+//! Pole weights of the blossom with a repeated p - i and b repeated i times, on one span (de Boor).
+void blossom_weights(const KnotVector &kv, int span, double a, double b, int i, double *weights)
+{
+    const int p = kv.degree;
+    const double *t = kv.knots.data() + span;
+    std::array<double, max_spline_degree + 1> points;
+    for (int column = 0; column <= p; ++column)
+    {
+        points.fill(0.0);
+        points[static_cast<std::size_t>(column)] = 1.0;
+        for (int r = 1; r <= p; ++r)
+        {
+            const double x = r <= p - i ? a : b;
+            for (int k = p; k >= r; --k)
+            {
+                const double low = t[k - p];
+                const double high = t[k + 1 - r];
+                const double s = (x - low) / (high - low);
+                points[static_cast<std::size_t>(k)] = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] +
+                                                      s * points[static_cast<std::size_t>(k)];
+            }
+        }
+        weights[column] = points[static_cast<std::size_t>(p)];
+    }
+}
+
+} // namespace
+
+double binomial(int n, int k) { return binomials(n)[k]; }
+
+double Bernstein::Range::size() const { return std::max(std::abs(low), std::abs(high)); }
+
+void Bernstein::reset(int m, int n)
+{
+    m_m = m;
+    m_n = n;
+    m_c.assign(static_cast<std::size_t>((m + 1) * (n + 1)), 0.0);
+}
+
+void Bernstein::add_product(double factor, const Bernstein &a, const Bernstein &b)
+{
+    const int width_b = b.m_n + 1;
+    for (int i = 0; i <= a.m_m; ++i)
+        for (int j = 0; j <= a.m_n; ++j)
+        {
+            const double x = factor * a.scaled(i, j);
+            for (int k = 0; k <= b.m_m; ++k)
+            {
+                const double *from = b.m_c.data() + k * width_b;
+                double *to = m_c.data() + (i + k) * (m_n + 1) + j;
+                for (int l = 0; l < width_b; ++l)
+                    to[l] += x * from[l];
+            }
+        }
+}
+
+void Bernstein::add_raised(double factor, const Bernstein &a)
+{
+    const double *one_u = binomials(m_m - a.m_m);
+    const double *one_v = binomials(m_n - a.m_n);
+    for (int i = 0; i <= a.m_m; ++i)
+        for (int k = 0; k <= m_m - a.m_m; ++k)
+            for (int j = 0; j <= a.m_n; ++j)
+            {
+                const double x = factor * one_u[k] * a.scaled(i, j);
+                for (int l = 0; l <= m_n - a.m_n; ++l)
+                    scaled(i + k, j + l) += x * one_v[l];
+            }
+}
+
+void Bernstein::scale(double factor)
+{
+    for (double &c : m_c)
+        c *= factor;
+}
+
+void Bernstein::assign_derivative_u(const Bernstein &a)
+{
+    reset(std::max(0, a.m_m - 1), a.m_n);
+    // m (c_{i+1} - c_i) C(m-1, i) in scaled coefficients
+    for (int i = 0; i < a.m_m; ++i)
+        for (int j = 0; j <= a.m_n; ++j)
+            scaled(i, j) = (i + 1) * a.scaled(i + 1, j) - (a.m_m - i) * a.scaled(i, j);
+}
+
+void Bernstein::assign_derivative_v(const Bernstein &a)
+{
+    reset(a.m_m, std::max(0, a.m_n - 1));
+    for (int i = 0; i <= a.m_m; ++i)
+        for (int j = 0; j < a.m_n; ++j)
+            scaled(i, j) = (j + 1) * a.scaled(i, j + 1) - (a.m_n - j) * a.scaled(i, j);
+}
+
+void Bernstein::halve(bool along_u, Bernstein &upper)
+{
+    upper.reset(m_m, m_n);
+    const int degree = along_u ? m_m : m_n;
+    const int lines = along_u ? m_n : m_m;
+    const double *weights = binomials(degree);
+    std::array<double, largest_degree + 1> points;
+    for (int line = 0; line <= lines; ++line)
+    {
+        const auto at = [&](Bernstein &b, int k) -> double & { return along_u ? b.scaled(k, line) : b.scaled(line, k); };
+        for (int k = 0; k <= degree; ++k)
+            points[static_cast<std::size_t>(k)] = at(*this, k) / weights[k];
+        for (int r = 0; r <= degree; ++r)
+        {
+            at(*this, r) = points[0] * weights[r];
+            at(upper, degree - r) = points[static_cast<std::size_t>(degree - r)] * weights[r];
+            for (int k = 0; k < degree - r; ++k)
+                points[static_cast<std::size_t>(k)] =
+                    0.5 * (points[static_cast<std::size_t>(k)] + points[static_cast<std::size_t>(k) + 1]);
+        }
+    }
+}
+
+void Bernstein::divide(Border border)
+{
+    // In scaled coefficients the factor u (or v) shifts the index by one and 1 - u leaves it alone.
+    const bool along_u = border == Border::LowU || border == Border::HighU;
+    const int shift_u = border == Border::LowU ? 1 : 0;
+    const int shift_v = border == Border::LowV ? 1 : 0;
+    Bernstein quotient(along_u ? m_m - 1 : m_m, along_u ? m_n : m_n - 1);
+    for (int i = 0; i <= quotient.m_m; ++i)
+        for (int j = 0; j <= quotient.m_n; ++j)
+            quotient.scaled(i, j) = scaled(i + shift_u, j + shift_v);
+    *this = std::move(quotient);
+}
+
+double Bernstein::border_size(Border border) const
+{
+    double largest = 0.0;
+    const bool along_u = border == Border::LowU || border == Border::HighU;
+    for (int k = 0; k <= (along_u ? m_n : m_m); ++k)
+    {
+        const double c = border == Border::LowU    ? coefficient(0, k)
+                         : border == Border::HighU ? coefficient(m_m, k)
+                         : border == Border::LowV  ? coefficient(k, 0)
+                                                   : coefficient(k, m_n);
+        largest = std::max(largest, std::abs(c));
+    }
+    return largest;
+}
+
+Bernstein::Range Bernstein::range() const
+{
+    Range range{coefficient(0, 0), coefficient(0, 0)};
+    for (int i = 0; i <= m_m; ++i)
+    {
+        const double row = binomial(m_m, i);
+        const double *weights = binomials(m_n);
+        for (int j = 0; j <= m_n; ++j)
+        {
+            const double c = scaled(i, j) / (row * weights[j]);
+            range.low = std::min(range.low, c);
+            range.high = std::max(range.high, c);
+        }
+    }
+    return range;
+}
+
+double Bernstein::centre() const
+{
+    double sum = 0.0;
+    for (const double c : m_c)
+        sum += c;
+    return std::ldexp(sum, -(m_m + m_n));
+}
+
+double longest(const Bernstein3 &a)
+{
+    double largest = 0.0;
+    for (int i = 0; i <= a[0].degree_u(); ++i)
+        for (int j = 0; j <= a[0].degree_v(); ++j)
+        {
+            const double weight = binomial(a[0].degree_u(), i) * binomial(a[0].degree_v(), j);
+            const double square = a[0].scaled(i, j) * a[0].scaled(i, j) + a[1].scaled(i, j) * a[1].scaled(i, j) +
+                                  a[2].scaled(i, j) * a[2].scaled(i, j);
+            largest = std::max(largest, square / (weight * weight));
+        }
+    return std::sqrt(largest);
+}
+
+std::vector<SpanExtraction> extractions(const KnotVector &kv, const std::vector<double> &breaks)
+{
+    std::vector<SpanExtraction> result;
+    const std::size_t width = static_cast<std::size_t>(kv.degree) + 1;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    {
+        SpanExtraction extraction{breaks[i], breaks[i + 1], 0, std::vector<double>(width * width)};
+        const int span = kv.span(0.5 * (extraction.a + extraction.b));
+        extraction.first = span - kv.degree;
+        for (int k = 0; k <= kv.degree; ++k)
+            blossom_weights(kv, span, extraction.a, extraction.b, k, extraction.matrix.data() + static_cast<std::size_t>(k) * width);
+        result.push_back(std::move(extraction));
+    }
+    return result;
+}
+
+} // namespace laminate_offset

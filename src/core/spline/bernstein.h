@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Bivariate polynomials in Bernstein form over the unit square: products, derivatives, bounds, halving.
+//!
+//! Coefficients are kept scaled by their binomials, c_ij C(m,i) C(n,j), so that a product is a plain
+//! convolution (Farouki & Rajan 1988). The convex hull property then bounds a polynomial by its
+//! coefficients. All operations are sums of products with positive weights, so their rounding stays
+//! near one unit in the last place per operation of the largest coefficient.
+#pragma once
+
+#include "tensor_spline.h"
+
+#include <array>
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! Binomial coefficient; n up to 127.
+double binomial(int n, int k);
+
+//! A scalar polynomial of degree (m, n). Reassigning keeps the storage, so a workspace does not allocate.
+class Bernstein
+{
+public:
+    Bernstein() = default;
+    Bernstein(int m, int n) { reset(m, n); }
+
+    //! Becomes the zero polynomial of the given degree.
+    void reset(int m, int n);
+
+    [[nodiscard]] int degree_u() const { return m_m; }
+    [[nodiscard]] int degree_v() const { return m_n; }
+    [[nodiscard]] double &scaled(int i, int j) { return m_c[static_cast<std::size_t>(i * (m_n + 1) + j)]; }
+    [[nodiscard]] double scaled(int i, int j) const { return m_c[static_cast<std::size_t>(i * (m_n + 1) + j)]; }
+    //! The Bernstein coefficient itself.
+    [[nodiscard]] double coefficient(int i, int j) const
+    {
+        return scaled(i, j) / (binomial(m_m, i) * binomial(m_n, j));
+    }
+    void set_coefficient(int i, int j, double value) { scaled(i, j) = value * binomial(m_m, i) * binomial(m_n, j); }
+
+    //! this += factor * a * b; the degrees must add up.
+    void add_product(double factor, const Bernstein &a, const Bernstein &b);
+    //! this += factor * a, with a raised to this degree.
+    void add_raised(double factor, const Bernstein &a);
+    void scale(double factor);
+
+    //! Derivatives with respect to the unit square's coordinates.
+    void assign_derivative_u(const Bernstein &a);
+    void assign_derivative_v(const Bernstein &a);
+
+    //! Halves along u (or v): this becomes the half with the lower parameters, `upper` the other.
+    void halve(bool along_u, Bernstein &upper);
+
+    //! Divides by u, 1 - u, v or 1 - v. Precondition: the border row in question is zero.
+    enum class Border
+    {
+        LowU,
+        HighU,
+        LowV,
+        HighV
+    };
+    void divide(Border border);
+    //! Largest absolute coefficient on a border row.
+    [[nodiscard]] double border_size(Border border) const;
+
+    struct Range
+    {
+        double low = 0.0;
+        double high = 0.0;
+        [[nodiscard]] double size() const;
+    };
+    //! Least and largest coefficient: an enclosure of the values.
+    [[nodiscard]] Range range() const;
+    //! Value at the centre of the square.
+    [[nodiscard]] double centre() const;
+
+private:
+    int m_m = 0;
+    int m_n = 0;
+    std::vector<double> m_c;
+};
+
+//! A vector polynomial.
+using Bernstein3 = std::array<Bernstein, 3>;
+
+//! Longest coefficient vector: a bound of the length of the values.
+double longest(const Bernstein3 &a);
+
+//! The matrix that takes the degree + 1 poles of a span to Bernstein coefficients on [a, b] inside that
+//! span: coefficient i is row i (blossom with a repeated degree - i and b repeated i times).
+struct SpanExtraction
+{
+    double a = 0.0;
+    double b = 1.0;
+    int first = 0; //!< index of the first pole
+    std::vector<double> matrix;
+};
+
+//! Extractions of every interval between consecutive breaks; each must lie in one span of the knots.
+std::vector<SpanExtraction> extractions(const KnotVector &kv, const std::vector<double> &breaks);
+
+} // namespace laminate_offset

@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "certificate.h"
+
+#include "../spline/bernstein.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Halvings of the scalar polynomials before the whole rectangle is halved and its frame renewed.
+constexpr int scalar_depth = 6;
+constexpr int geometric_depth = 10;
+// A border row of S_u x S_v this small against its largest coefficient is a collapsed side.
+constexpr double collapsed = 1e-11;
+// Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction,
+// products of pieces of some 100. These factors leave an order of magnitude to spare; the oracle tests
+// compare with interval arithmetic.
+constexpr double extraction_operations = 64.0;
+constexpr double product_operations = 512.0;
+
+//! The pieces of base and offset on one rectangle, in coordinates relative to a near point.
+struct Piece
+{
+    Bernstein3 base;       //!< numerator P of S = P / omega
+    Bernstein3 offset;     //!< A: numerator over the same omega, or the polynomial itself
+    Bernstein omega;       //!< degree (0, 0) and 1 for a polynomial base
+    bool shared_weight = true; //!< the offset is A / omega, else A
+    ParameterBox box;
+    double extent = 0.0;   //!< largest absolute coordinate before the shift, for the rounding bound
+    double weight_gap = 0.0; //!< bound of the offset's own weight function minus omega
+};
+
+struct Scalars
+{
+    Bernstein a;     //!< W.W - d^2 omega^2
+    Bernstein b;     //!< W.T1, or the components of W x M in the general form
+    Bernstein c;
+    Bernstein third; //!< general form only
+    Bernstein square; //!< general form only: M.M
+    Bernstein omega;
+
+    void halve(bool along_u, Scalars &upper, bool general)
+    {
+        a.halve(along_u, upper.a);
+        b.halve(along_u, upper.b);
+        c.halve(along_u, upper.c);
+        omega.halve(along_u, upper.omega);
+        if (!general)
+            return;
+        third.halve(along_u, upper.third);
+        square.halve(along_u, upper.square);
+    }
+};
+
+Eigen::Vector3d centre(const Bernstein3 &a) { return {a[0].centre(), a[1].centre(), a[2].centre()}; }
+
+//! Length of everything on one rectangle that does not change while its scalars are halved.
+struct Frame
+{
+    double gram = 1.0;      //!< 1 / lambda_min of the Gram matrix of T1, T2
+    double a_error = 0.0;   //!< rounding of a / omega^2 [mm^2]
+    double b_error = 0.0;   //!< rounding of the tangential part [mm]
+    int b_weight_power = 1; //!< power of omega that divides b and c
+    bool general = false;
+};
+
+class PieceProver
+{
+public:
+    PieceProver(double distance, double target) : m_d(distance), m_target(target) {}
+
+    //! A bound over the piece: at most the target if that can be shown.
+    double prove(Piece &piece, int depth = 0)
+    {
+        double bound = try_frame(piece, false);
+        if (bound > m_target)
+            bound = std::min(bound, try_frame(piece, true));
+        if (bound <= m_target || depth >= geometric_depth)
+            return bound;
+        Piece upper = piece;
+        const bool along_u = depth % 2 == 0;
+        halve(piece, upper, along_u);
+        const double first = prove(piece, depth + 1);
+        if (first > m_target) // this half settles it; the bound of the whole still holds
+            return bound;
+        const double second = prove(upper, depth + 1);
+        return second > m_target ? bound : std::max(first, second);
+    }
+
+private:
+    static void halve(Piece &piece, Piece &upper, bool along_u)
+    {
+        for (int e = 0; e < 3; ++e)
+        {
+            piece.base[e].halve(along_u, upper.base[e]);
+            piece.offset[e].halve(along_u, upper.offset[e]);
+        }
+        piece.omega.halve(along_u, upper.omega);
+        double &end = along_u ? piece.box.umax : piece.box.vmax;
+        double &start = along_u ? upper.box.umin : upper.box.vmin;
+        end = start = 0.5 * (end + (along_u ? piece.box.umin : piece.box.vmin));
+    }
+
+    double try_frame(const Piece &piece, bool general)
+    {
+        difference(piece);
+        normal(piece);
+        const Bernstein::Range weights = piece.omega.range();
+        if (weights.low <= 0.0)
+            return infinity;
+        Frame frame;
+        frame.general = general;
+        Scalars &scalars = m_scalars[0];
+        const bool usable = general ? general_form(piece, frame, scalars) : simple_form(piece, weights, frame, scalars);
+        if (!usable)
+            return infinity;
+        square_of_difference(piece, scalars);
+        scalars.omega = piece.omega;
+        rounding(piece, weights, frame);
+        m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_normal)) * m_d > 0.0;
+        return bound(frame, 0);
+    }
+
+    //! W = omega (O - S)
+    void difference(const Piece &piece)
+    {
+        const bool product = !piece.shared_weight;
+        for (int e = 0; e < 3; ++e)
+        {
+            const int m = std::max(piece.base[e].degree_u(),
+                                   piece.offset[e].degree_u() + (product ? piece.omega.degree_u() : 0));
+            const int n = std::max(piece.base[e].degree_v(),
+                                   piece.offset[e].degree_v() + (product ? piece.omega.degree_v() : 0));
+            m_w[e].reset(m, n);
+            if (product)
+            {
+                m_temporary.reset(piece.offset[e].degree_u() + piece.omega.degree_u(),
+                                  piece.offset[e].degree_v() + piece.omega.degree_v());
+                m_temporary.add_product(1.0, piece.offset[e], piece.omega);
+                m_w[e].add_raised(1.0, m_temporary);
+            }
+            else
+                m_w[e].add_raised(1.0, piece.offset[e]);
+            m_w[e].add_raised(-1.0, piece.base[e]);
+        }
+    }
+
+    static void add_cross(double factor, const Bernstein3 &a, const Bernstein3 &b, Bernstein3 &result)
+    {
+        for (int e = 0; e < 3; ++e)
+        {
+            const int f = (e + 1) % 3;
+            const int g = (e + 2) % 3;
+            result[e].add_product(factor, a[f], b[g]);
+            result[e].add_product(-factor, a[g], b[f]);
+        }
+    }
+
+    //! omega^3 S_u x S_v = omega P_u x P_v + omega_v P x P_u + omega_u P_v x P
+    void normal(const Piece &piece)
+    {
+        for (int e = 0; e < 3; ++e)
+        {
+            m_pu[e].assign_derivative_u(piece.base[e]);
+            m_pv[e].assign_derivative_v(piece.base[e]);
+        }
+        const int m = m_pu[0].degree_u() + m_pv[0].degree_u();
+        const int n = m_pu[0].degree_v() + m_pv[0].degree_v();
+        const bool rational = piece.omega.degree_u() + piece.omega.degree_v() > 0;
+        for (int e = 0; e < 3; ++e)
+            (rational ? m_cross : m_normal)[e].reset(m, n);
+        add_cross(1.0, m_pu, m_pv, rational ? m_cross : m_normal);
+        if (!rational)
+            return;
+        m_omega_u.assign_derivative_u(piece.omega);
+        m_omega_v.assign_derivative_v(piece.omega);
+        for (int e = 0; e < 3; ++e)
+        {
+            m_normal[e].reset(m + piece.omega.degree_u(), n + piece.omega.degree_v());
+            m_normal[e].add_product(1.0, m_cross[e], piece.omega);
+        }
+        add_weight_term(m_omega_v, piece.base, m_pu);
+        add_weight_term(m_omega_u, m_pv, piece.base);
+    }
+
+    void add_weight_term(const Bernstein &weight, const Bernstein3 &a, const Bernstein3 &b)
+    {
+        for (int e = 0; e < 3; ++e)
+            m_cross[e].reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
+        add_cross(1.0, a, b, m_cross);
+        for (int e = 0; e < 3; ++e)
+        {
+            m_temporary.reset(m_cross[e].degree_u() + weight.degree_u(), m_cross[e].degree_v() + weight.degree_v());
+            m_temporary.add_product(1.0, m_cross[e], weight);
+            m_normal[e].add_raised(1.0, m_temporary);
+        }
+    }
+
+    //! omega^2 S_u and omega^2 S_v of a rational piece.
+    void tangent(const Piece &piece, const Bernstein3 &derivative, const Bernstein &weight_derivative, Bernstein3 &out)
+    {
+        for (int e = 0; e < 3; ++e)
+        {
+            const int m = std::max(derivative[e].degree_u() + piece.omega.degree_u(),
+                                   piece.base[e].degree_u() + weight_derivative.degree_u());
+            const int n = std::max(derivative[e].degree_v() + piece.omega.degree_v(),
+                                   piece.base[e].degree_v() + weight_derivative.degree_v());
+            out[e].reset(m, n);
+            m_temporary.reset(derivative[e].degree_u() + piece.omega.degree_u(),
+                              derivative[e].degree_v() + piece.omega.degree_v());
+            m_temporary.add_product(1.0, derivative[e], piece.omega);
+            out[e].add_raised(1.0, m_temporary);
+            m_temporary.reset(piece.base[e].degree_u() + weight_derivative.degree_u(),
+                              piece.base[e].degree_v() + weight_derivative.degree_v());
+            m_temporary.add_product(-1.0, piece.base[e], weight_derivative);
+            out[e].add_raised(1.0, m_temporary);
+        }
+    }
+
+    //! T1, T2 orthonormal at the centre, their Gram bound, and b = W.T1, c = W.T2.
+    bool simple_form(const Piece &piece, const Bernstein::Range &weights, Frame &frame, Scalars &scalars)
+    {
+        const bool rational = piece.omega.degree_u() + piece.omega.degree_v() > 0;
+        if (rational)
+        {
+            tangent(piece, m_pu, m_omega_u, m_qu);
+            tangent(piece, m_pv, m_omega_v, m_qv);
+        }
+        const Bernstein3 &qu = rational ? m_qu : m_pu;
+        const Bernstein3 &qv = rational ? m_qv : m_pv;
+        frame.b_weight_power = rational ? 3 : 1;
+        const double at_centre = rational ? std::pow(piece.omega.centre(), 2) : 1.0;
+        const Eigen::Vector3d cu = centre(qu) / at_centre;
+        const Eigen::Vector3d cv = centre(qv) / at_centre;
+        const double e = cu.squaredNorm();
+        const double f = cu.dot(cv);
+        const double g = cv.squaredNorm() - f * f / e;
+        if (!(e > 0.0) || !(g > 1e-18 * cv.squaredNorm()))
+            return false;
+        combine(qu, qv, 1.0 / std::sqrt(e), 0.0, m_t1);
+        combine(qu, qv, -f / e / std::sqrt(g), 1.0 / std::sqrt(g), m_t2);
+        const double smallest_weight = rational ? weights.low * weights.low : 1.0;
+        const double h1 = longest(m_t1) / smallest_weight;
+        const double h2 = longest(m_t2) / smallest_weight;
+        // |T1 x T2| >= (S_u x S_v) . n0 / sqrt(e g)
+        const Eigen::Vector3d n0 = centre(m_normal).normalized();
+        m_temporary.reset(m_normal[0].degree_u(), m_normal[0].degree_v());
+        for (int k = 0; k < 3; ++k)
+            m_temporary.add_raised(n0[k], m_normal[k]);
+        const double area = m_temporary.range().low / (rational ? std::pow(weights.high, 3) : 1.0) / std::sqrt(e * g);
+        if (!(area > 1e-6))
+            return false;
+        const double trace = h1 * h1 + h2 * h2;
+        const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * area * area)));
+        frame.gram = (1.0 + 1e-9) * largest / (area * area);
+        dot(m_w, m_t1, scalars.b);
+        dot(m_w, m_t2, scalars.c);
+        return true;
+    }
+
+    static void combine(const Bernstein3 &qu, const Bernstein3 &qv, double x, double y, Bernstein3 &out)
+    {
+        for (int e = 0; e < 3; ++e)
+        {
+            out[e].reset(std::max(qu[e].degree_u(), qv[e].degree_u()), std::max(qu[e].degree_v(), qv[e].degree_v()));
+            if (x != 0.0)
+                out[e].add_raised(x, qu[e]);
+            if (y != 0.0)
+                out[e].add_raised(y, qv[e]);
+        }
+    }
+
+    static void dot(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out)
+    {
+        out.reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
+        for (int e = 0; e < 3; ++e)
+            out.add_product(1.0, a[e], b[e]);
+    }
+
+    //! W x M and M.M, where M is the normal with its zeros on borders divided out.
+    bool general_form(const Piece &, Frame &frame, Scalars &scalars)
+    {
+        m_divided = m_normal;
+        const double size = longest(m_divided);
+        if (!(size > 0.0))
+            return false;
+        for (const auto border : {Bernstein::Border::LowU, Bernstein::Border::HighU, Bernstein::Border::LowV,
+                                  Bernstein::Border::HighV})
+            while (collapses(border, size))
+                for (Bernstein &component : m_divided)
+                    component.divide(border);
+        const double unit = 1.0 / longest(m_divided);
+        for (Bernstein &component : m_divided)
+            component.scale(unit);
+        for (Bernstein *component : {&scalars.b, &scalars.c, &scalars.third})
+            component->reset(m_w[0].degree_u() + m_divided[0].degree_u(), m_w[0].degree_v() + m_divided[0].degree_v());
+        Bernstein *const out[3] = {&scalars.b, &scalars.c, &scalars.third};
+        for (int e = 0; e < 3; ++e)
+        {
+            out[e]->add_product(1.0, m_w[(e + 1) % 3], m_divided[(e + 2) % 3]);
+            out[e]->add_product(-1.0, m_w[(e + 2) % 3], m_divided[(e + 1) % 3]);
+        }
+        dot(m_divided, m_divided, scalars.square);
+        frame.b_weight_power = 1;
+        frame.gram = 1.0;
+        return true;
+    }
+
+    [[nodiscard]] bool collapses(Bernstein::Border border, double size) const
+    {
+        const bool along_u = border == Bernstein::Border::LowU || border == Bernstein::Border::HighU;
+        if ((along_u ? m_divided[0].degree_u() : m_divided[0].degree_v()) == 0)
+            return false;
+        return std::all_of(m_divided.begin(), m_divided.end(),
+                           [&](const Bernstein &b) { return b.border_size(border) <= collapsed * size; });
+    }
+
+    void square_of_difference(const Piece &piece, Scalars &scalars)
+    {
+        dot(m_w, m_w, scalars.a);
+        m_temporary.reset(2 * piece.omega.degree_u(), 2 * piece.omega.degree_v());
+        m_temporary.add_product(1.0, piece.omega, piece.omega);
+        scalars.a.add_raised(-m_d * m_d, m_temporary);
+    }
+
+    //! A-priori rounding of a and of the tangential part, and the weight functions' difference.
+    void rounding(const Piece &piece, const Bernstein::Range &weights, Frame &frame) const
+    {
+        const double w = longest(m_w) / weights.low;
+        const double size = std::max({longest(piece.base), longest(piece.offset), piece.extent}) / weights.low;
+        const double w_error = extraction_operations * epsilon * size * (weights.high / weights.low) +
+                               piece.weight_gap * size / weights.low;
+        frame.a_error = 2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + m_d * m_d);
+        frame.b_error = w_error + product_operations * epsilon * w;
+    }
+
+    //! Bound over the current scalars, halving them while that helps.
+    double bound(const Frame &frame, int depth)
+    {
+        const double here = leaf(frame, m_scalars[static_cast<std::size_t>(depth)]);
+        if (here <= m_target || depth >= scalar_depth || here == infinity)
+            return here;
+        Scalars &lower = m_scalars[static_cast<std::size_t>(depth) + 1];
+        lower = m_scalars[static_cast<std::size_t>(depth)];
+        Scalars &upper = m_scalars[static_cast<std::size_t>(depth)];
+        Scalars &spare = m_spare;
+        lower.halve(depth % 2 == 0, spare, frame.general);
+        std::swap(upper, spare);
+        const double first = bound(frame, depth + 1);
+        if (first > m_target)
+            return std::max(first, here);
+        lower = m_scalars[static_cast<std::size_t>(depth)];
+        return std::max(first, bound(frame, depth + 1));
+    }
+
+    [[nodiscard]] double leaf(const Frame &frame, const Scalars &s) const
+    {
+        const Bernstein::Range omega = s.omega.range();
+        if (omega.low <= 0.0)
+            return infinity;
+        const Bernstein::Range a = s.a.range();
+        const double low = a.low / std::pow(a.low < 0.0 ? omega.low : omega.high, 2) - frame.a_error;
+        const double high = a.high / std::pow(a.high < 0.0 ? omega.high : omega.low, 2) + frame.a_error;
+        const double weight = std::pow(omega.low, frame.b_weight_power);
+        double tangential = 0.0;
+        if (frame.general)
+        {
+            const double square = s.square.range().low;
+            if (!(square > 1e-8))
+                return std::numeric_limits<double>::max(); // halving may still help
+            tangential = std::sqrt(squares(s.b, s.c, s.third) / square) / weight;
+        }
+        else
+            tangential = std::sqrt(frame.gram * (std::pow(s.b.range().size(), 2) + std::pow(s.c.range().size(), 2))) / weight;
+        tangential += frame.b_error * std::sqrt(frame.gram);
+        return combined(tangential, low, high);
+    }
+
+    //! Tangential and normal part together; low <= |w|^2 - d^2 <= high.
+    [[nodiscard]] double combined(double tangential, double low, double high) const
+    {
+        const double d = std::abs(m_d);
+        const double least = low - tangential * tangential;
+        const double most = std::sqrt(std::max(0.0, d * d + high));
+        double normal = d + most;
+        if (m_sign_holds && d * d + least > 0.0)
+        {
+            const double above = std::max(0.0, high) / (d + most);
+            const double below = std::max(0.0, -least) / (d + std::sqrt(d * d + least));
+            normal = std::max(above, below);
+        }
+        return std::hypot(tangential, normal) * (1.0 + 8.0 * epsilon);
+    }
+
+    static double squares(const Bernstein &x, const Bernstein &y, const Bernstein &z)
+    {
+        double largest = 0.0;
+        for (int i = 0; i <= x.degree_u(); ++i)
+            for (int j = 0; j <= x.degree_v(); ++j)
+                largest = std::max(largest, std::pow(x.coefficient(i, j), 2) + std::pow(y.coefficient(i, j), 2) +
+                                                std::pow(z.coefficient(i, j), 2));
+        return largest;
+    }
+
+    double m_d;
+    double m_target;
+    bool m_sign_holds = true;
+    Bernstein3 m_w, m_pu, m_pv, m_qu, m_qv, m_t1, m_t2, m_cross, m_normal, m_divided;
+    Bernstein m_omega_u, m_omega_v, m_temporary;
+    std::array<Scalars, scalar_depth + 2> m_scalars;
+    Scalars m_spare;
+};
+
+//! Cuts both splines into pieces along the merged knots.
+class PieceCutter
+{
+public:
+    explicit PieceCutter(const CertificateRequest &request)
+        : m_base(request.base), m_offset(request.offset),
+          m_us(merged_breaks(request.base.u.breaks(), request.offset.u.breaks())),
+          m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())),
+          m_base_u(extractions(request.base.u, m_us)), m_base_v(extractions(request.base.v, m_vs)),
+          m_offset_u(extractions(request.offset.u, m_us)), m_offset_v(extractions(request.offset.v, m_vs))
+    {
+    }
+
+    [[nodiscard]] std::size_t count_u() const { return m_base_u.size(); }
+    [[nodiscard]] std::size_t count_v() const { return m_base_v.size(); }
+
+    [[nodiscard]] ParameterBox box(std::size_t i, std::size_t j) const
+    {
+        return {m_us[i], m_us[i + 1], m_vs[j], m_vs[j + 1]};
+    }
+
+    void cut(std::size_t i, std::size_t j, Piece &piece) const
+    {
+        piece.box = box(i, j);
+        const Eigen::Vector4d &corner = m_base.pole(m_base_u[i].first, m_base_v[j].first);
+        const Eigen::Vector3d origin = corner.head<3>() / corner.w();
+        piece.extent = origin.cwiseAbs().maxCoeff();
+        piece.shared_weight = m_offset.rational || !m_base.rational;
+        extract(m_base, m_base_u[i], m_base_v[j], origin, piece.base, piece.omega);
+        extract(m_offset, m_offset_u[i], m_offset_v[j], origin, piece.offset, m_offset_omega);
+        piece.weight_gap = 0.0;
+        if (m_offset.rational)
+            piece.weight_gap = gap(piece.omega);
+    }
+
+private:
+    void extract(const TensorSpline &spline, const SpanExtraction &eu, const SpanExtraction &ev,
+                 const Eigen::Vector3d &origin, Bernstein3 &numerator, Bernstein &omega) const
+    {
+        const int p = spline.u.degree;
+        const int q = spline.v.degree;
+        m_rows.assign(static_cast<std::size_t>((p + 1) * (q + 1)), Eigen::Vector4d::Zero());
+        for (int i = 0; i <= p; ++i)
+            for (int k = 0; k <= p; ++k)
+            {
+                const double x = eu.matrix[static_cast<std::size_t>(i * (p + 1) + k)];
+                if (x == 0.0)
+                    continue;
+                for (int j = 0; j <= q; ++j)
+                {
+                    Eigen::Vector4d pole = spline.pole(eu.first + k, ev.first + j);
+                    pole.head<3>() -= pole.w() * origin;
+                    m_rows[static_cast<std::size_t>(i * (q + 1) + j)] += x * pole;
+                }
+            }
+        for (Bernstein &component : numerator)
+            component.reset(p, q);
+        omega.reset(spline.rational ? p : 0, spline.rational ? q : 0);
+        if (!spline.rational)
+            omega.set_coefficient(0, 0, 1.0);
+        for (int i = 0; i <= p; ++i)
+            for (int j = 0; j <= q; ++j)
+            {
+                Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+                for (int k = 0; k <= q; ++k)
+                    sum += ev.matrix[static_cast<std::size_t>(j * (q + 1) + k)] * m_rows[static_cast<std::size_t>(i * (q + 1) + k)];
+                for (int e = 0; e < 3; ++e)
+                    numerator[static_cast<std::size_t>(e)].set_coefficient(i, j, sum[e]);
+                if (spline.rational)
+                    omega.set_coefficient(i, j, sum.w());
+            }
+    }
+
+    [[nodiscard]] double gap(const Bernstein &omega) const
+    {
+        Bernstein difference(std::max(omega.degree_u(), m_offset_omega.degree_u()),
+                             std::max(omega.degree_v(), m_offset_omega.degree_v()));
+        difference.add_raised(1.0, m_offset_omega);
+        difference.add_raised(-1.0, omega);
+        return difference.range().size();
+    }
+
+    const TensorSpline &m_base;
+    const TensorSpline &m_offset;
+    std::vector<double> m_us;
+    std::vector<double> m_vs;
+    std::vector<SpanExtraction> m_base_u, m_base_v, m_offset_u, m_offset_v;
+    mutable std::vector<Eigen::Vector4d> m_rows; // workspace: one cutter serves one thread
+    mutable Bernstein m_offset_omega;
+};
+
+} // namespace
+
+Certificate certify(const CertificateRequest &request)
+{
+    const PieceCutter pattern(request);
+    Certificate certificate;
+    std::mutex guard;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pattern.count_u()), [&](const auto &range) {
+        PieceCutter cutter = pattern;
+        PieceProver prover(request.distance, request.target);
+        Piece piece;
+        double worst = 0.0;
+        ParameterBox place;
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            for (std::size_t j = 0; j < cutter.count_v(); ++j)
+            {
+                if (request.needed && !request.needed(cutter.box(i, j)))
+                    continue;
+                cutter.cut(i, j, piece);
+                const double bound = prover.prove(piece);
+                if (bound > worst)
+                {
+                    worst = bound;
+                    place = cutter.box(i, j);
+                }
+            }
+        const std::lock_guard lock(guard);
+        if (worst > certificate.bound)
+        {
+            certificate.bound = worst;
+            certificate.worst = place;
+        }
+    });
+    certificate.proven = certificate.bound <= request.target;
+    if (certificate.bound >= std::numeric_limits<double>::max())
+        certificate.bound = infinity;
+    return certificate;
+}
+
+} // namespace laminate_offset
