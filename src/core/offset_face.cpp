@@ -100,6 +100,17 @@ private:
         return fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
     }
 
+    //! An exact kind names the limit that was passed; what is known of the other side comes from the analysis.
+    static Failure with_both_limits(Failure failure, const InputFace &input, const SurfaceAnalysis &analysis)
+    {
+        const FeasibleRange known = feasible_range(analysis, input);
+        if (failure.feasible_range && !failure.feasible_range->negative)
+            failure.feasible_range->negative = known.negative;
+        if (failure.feasible_range && !failure.feasible_range->positive)
+            failure.feasible_range->positive = known.positive;
+        return failure;
+    }
+
     static SurfaceSummary summary(const Handle(Geom_Surface) & surface)
     {
         SurfaceSummary result;

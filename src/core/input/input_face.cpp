@@ -10,8 +10,11 @@
 #include <Bnd_Box2d.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -25,6 +28,9 @@ namespace laminate_offset
 {
 namespace
 {
+
+constexpr const char *not_finite =
+    "The face holds coordinates that are not finite numbers; import the model again or rebuild the face.";
 
 Failure refusal(Status status, std::string message)
 {
@@ -77,6 +83,25 @@ Handle(Geom_Surface) unwrapped(Handle(Geom_Surface) surface)
 bool finite(const gp_Pnt2d &p) { return std::isfinite(p.X()) && std::isfinite(p.Y()); }
 bool finite(const gp_Pnt &p) { return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z()); }
 
+bool finite(const TColgp_Array2OfPnt &poles)
+{
+    for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
+        for (int j = poles.LowerCol(); j <= poles.UpperCol(); ++j)
+            if (!finite(poles(i, j)))
+                return false;
+    return true;
+}
+
+//! Are all poles of a spline numbers? One of them spoils only the part around it, which probes may miss.
+bool finite_poles(const Handle(Geom_Surface) & surface)
+{
+    if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+        return finite(spline->Poles());
+    if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface))
+        return finite(bezier->Poles());
+    return true;
+}
+
 Result<TrimmingCurve> read_curve(const TopoDS_Edge &edge, const InputFace &input)
 {
     TrimmingCurve curve;
@@ -96,8 +121,7 @@ Result<TrimmingCurve> read_curve(const TopoDS_Edge &edge, const InputFace &input
     {
         const gp_Pnt2d uv = curve.pcurve->Value(curve.first + (curve.last - curve.first) * i / probes);
         if (!finite(uv) || !finite(input.surface->Value(uv.X(), uv.Y())))
-            return refusal(Status::NotFinite, "The face holds coordinates that are not finite numbers; import the "
-                                              "model again or rebuild the face.");
+            return refusal(Status::NotFinite, not_finite);
     }
     return curve;
 }
@@ -230,6 +254,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
     if (input.surface.IsNull())
         return refusal(Status::InvalidFace, "The face has no surface (it may be a mesh); use a face with exact geometry.");
     input.surface = unwrapped(input.surface);
+    if (!finite_poles(input.surface))
+        return refusal(Status::NotFinite, not_finite);
     input.tolerance = largest_tolerance(input.face);
     for (TopoDS_Iterator it(input.face); it.More(); it.Next())
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "certificate.h"
 
-#include "../spline/bernstein.h"
+#include "../spline/spline_pieces.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -34,13 +34,13 @@ constexpr double product_operations = 512.0;
 //! The pieces of base and offset on one rectangle, in coordinates relative to a near point.
 struct Piece
 {
-    Bernstein3 base;       //!< numerator P of S = P / omega
-    Bernstein3 offset;     //!< A: numerator over the same omega, or the polynomial itself
-    Bernstein omega;       //!< degree (0, 0) and 1 for a polynomial base
-    bool shared_weight = true; //!< the offset is A / omega, else A
-    ParameterBox box;
-    double extent = 0.0;   //!< largest absolute coordinate before the shift, for the rounding bound
-    double weight_gap = 0.0; //!< bound of the offset's own weight function minus omega
+    RationalPiece base;
+    RationalPiece offset;      //!< its weight function is the base's, or 1
+    bool shared_weight = true; //!< numerators stand over the same weight function
+    double extent = 0.0;       //!< largest absolute coordinate before the shift, for the rounding bound
+    double weight_gap = 0.0;   //!< bound of the offset's own weight function minus the base's
+
+    [[nodiscard]] const Bernstein &omega() const { return base.omega; }
 };
 
 struct Scalars
@@ -92,7 +92,8 @@ public:
             return bound;
         Piece upper = piece;
         const bool along_u = depth % 2 == 0;
-        halve(piece, upper, along_u);
+        piece.base.halve(along_u, upper.base);
+        piece.offset.halve(along_u, upper.offset);
         const double first = prove(piece, depth + 1);
         if (first > m_target) // this half settles it; the bound of the whole still holds
             return bound;
@@ -101,34 +102,21 @@ public:
     }
 
 private:
-    static void halve(Piece &piece, Piece &upper, bool along_u)
-    {
-        for (int e = 0; e < 3; ++e)
-        {
-            piece.base[e].halve(along_u, upper.base[e]);
-            piece.offset[e].halve(along_u, upper.offset[e]);
-        }
-        piece.omega.halve(along_u, upper.omega);
-        double &end = along_u ? piece.box.umax : piece.box.vmax;
-        double &start = along_u ? upper.box.umin : upper.box.vmin;
-        end = start = 0.5 * (end + (along_u ? piece.box.umin : piece.box.vmin));
-    }
-
     double try_frame(const Piece &piece, bool general)
     {
         difference(piece);
         normal(piece);
-        const Bernstein::Range weights = piece.omega.range();
+        const Bernstein::Range weights = piece.omega().range();
         if (weights.low <= 0.0)
             return infinity;
         Frame frame;
         frame.general = general;
         Scalars &scalars = m_scalars[0];
-        const bool usable = general ? general_form(piece, frame, scalars) : simple_form(piece, weights, frame, scalars);
+        const bool usable = general ? general_form(frame, scalars) : simple_form(piece, weights, frame, scalars);
         if (!usable)
             return infinity;
         square_of_difference(piece, scalars);
-        scalars.omega = piece.omega;
+        scalars.omega = piece.omega();
         rounding(piece, weights, frame);
         m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_normal)) * m_d > 0.0;
         return bound(frame, 0);
@@ -140,21 +128,21 @@ private:
         const bool product = !piece.shared_weight;
         for (int e = 0; e < 3; ++e)
         {
-            const int m = std::max(piece.base[e].degree_u(),
-                                   piece.offset[e].degree_u() + (product ? piece.omega.degree_u() : 0));
-            const int n = std::max(piece.base[e].degree_v(),
-                                   piece.offset[e].degree_v() + (product ? piece.omega.degree_v() : 0));
+            const int m = std::max(piece.base.numerator[e].degree_u(),
+                                   piece.offset.numerator[e].degree_u() + (product ? piece.omega().degree_u() : 0));
+            const int n = std::max(piece.base.numerator[e].degree_v(),
+                                   piece.offset.numerator[e].degree_v() + (product ? piece.omega().degree_v() : 0));
             m_w[e].reset(m, n);
             if (product)
             {
-                m_temporary.reset(piece.offset[e].degree_u() + piece.omega.degree_u(),
-                                  piece.offset[e].degree_v() + piece.omega.degree_v());
-                m_temporary.add_product(1.0, piece.offset[e], piece.omega);
+                m_temporary.reset(piece.offset.numerator[e].degree_u() + piece.omega().degree_u(),
+                                  piece.offset.numerator[e].degree_v() + piece.omega().degree_v());
+                m_temporary.add_product(1.0, piece.offset.numerator[e], piece.omega());
                 m_w[e].add_raised(1.0, m_temporary);
             }
             else
-                m_w[e].add_raised(1.0, piece.offset[e]);
-            m_w[e].add_raised(-1.0, piece.base[e]);
+                m_w[e].add_raised(1.0, piece.offset.numerator[e]);
+            m_w[e].add_raised(-1.0, piece.base.numerator[e]);
         }
     }
 
@@ -174,26 +162,26 @@ private:
     {
         for (int e = 0; e < 3; ++e)
         {
-            m_pu[e].assign_derivative_u(piece.base[e]);
-            m_pv[e].assign_derivative_v(piece.base[e]);
+            m_pu[e].assign_derivative_u(piece.base.numerator[e]);
+            m_pv[e].assign_derivative_v(piece.base.numerator[e]);
         }
         const int m = m_pu[0].degree_u() + m_pv[0].degree_u();
         const int n = m_pu[0].degree_v() + m_pv[0].degree_v();
-        const bool rational = piece.omega.degree_u() + piece.omega.degree_v() > 0;
+        const bool rational = piece.base.rational();
         for (int e = 0; e < 3; ++e)
             (rational ? m_cross : m_normal)[e].reset(m, n);
         add_cross(1.0, m_pu, m_pv, rational ? m_cross : m_normal);
         if (!rational)
             return;
-        m_omega_u.assign_derivative_u(piece.omega);
-        m_omega_v.assign_derivative_v(piece.omega);
+        m_omega_u.assign_derivative_u(piece.omega());
+        m_omega_v.assign_derivative_v(piece.omega());
         for (int e = 0; e < 3; ++e)
         {
-            m_normal[e].reset(m + piece.omega.degree_u(), n + piece.omega.degree_v());
-            m_normal[e].add_product(1.0, m_cross[e], piece.omega);
+            m_normal[e].reset(m + piece.omega().degree_u(), n + piece.omega().degree_v());
+            m_normal[e].add_product(1.0, m_cross[e], piece.omega());
         }
-        add_weight_term(m_omega_v, piece.base, m_pu);
-        add_weight_term(m_omega_u, m_pv, piece.base);
+        add_weight_term(m_omega_v, piece.base.numerator, m_pu);
+        add_weight_term(m_omega_u, m_pv, piece.base.numerator);
     }
 
     void add_weight_term(const Bernstein &weight, const Bernstein3 &a, const Bernstein3 &b)
@@ -214,18 +202,18 @@ private:
     {
         for (int e = 0; e < 3; ++e)
         {
-            const int m = std::max(derivative[e].degree_u() + piece.omega.degree_u(),
-                                   piece.base[e].degree_u() + weight_derivative.degree_u());
-            const int n = std::max(derivative[e].degree_v() + piece.omega.degree_v(),
-                                   piece.base[e].degree_v() + weight_derivative.degree_v());
+            const int m = std::max(derivative[e].degree_u() + piece.omega().degree_u(),
+                                   piece.base.numerator[e].degree_u() + weight_derivative.degree_u());
+            const int n = std::max(derivative[e].degree_v() + piece.omega().degree_v(),
+                                   piece.base.numerator[e].degree_v() + weight_derivative.degree_v());
             out[e].reset(m, n);
-            m_temporary.reset(derivative[e].degree_u() + piece.omega.degree_u(),
-                              derivative[e].degree_v() + piece.omega.degree_v());
-            m_temporary.add_product(1.0, derivative[e], piece.omega);
+            m_temporary.reset(derivative[e].degree_u() + piece.omega().degree_u(),
+                              derivative[e].degree_v() + piece.omega().degree_v());
+            m_temporary.add_product(1.0, derivative[e], piece.omega());
             out[e].add_raised(1.0, m_temporary);
-            m_temporary.reset(piece.base[e].degree_u() + weight_derivative.degree_u(),
-                              piece.base[e].degree_v() + weight_derivative.degree_v());
-            m_temporary.add_product(-1.0, piece.base[e], weight_derivative);
+            m_temporary.reset(piece.base.numerator[e].degree_u() + weight_derivative.degree_u(),
+                              piece.base.numerator[e].degree_v() + weight_derivative.degree_v());
+            m_temporary.add_product(-1.0, piece.base.numerator[e], weight_derivative);
             out[e].add_raised(1.0, m_temporary);
         }
     }
@@ -233,7 +221,7 @@ private:
     //! T1, T2 orthonormal at the centre, their Gram bound, and b = W.T1, c = W.T2.
     bool simple_form(const Piece &piece, const Bernstein::Range &weights, Frame &frame, Scalars &scalars)
     {
-        const bool rational = piece.omega.degree_u() + piece.omega.degree_v() > 0;
+        const bool rational = piece.base.rational();
         if (rational)
         {
             tangent(piece, m_pu, m_omega_u, m_qu);
@@ -242,7 +230,7 @@ private:
         const Bernstein3 &qu = rational ? m_qu : m_pu;
         const Bernstein3 &qv = rational ? m_qv : m_pv;
         frame.b_weight_power = rational ? 3 : 1;
-        const double at_centre = rational ? std::pow(piece.omega.centre(), 2) : 1.0;
+        const double at_centre = rational ? std::pow(piece.omega().centre(), 2) : 1.0;
         const Eigen::Vector3d cu = centre(qu) / at_centre;
         const Eigen::Vector3d cv = centre(qv) / at_centre;
         const double e = cu.squaredNorm();
@@ -291,7 +279,7 @@ private:
     }
 
     //! W x M and M.M, where M is the normal with its zeros on borders divided out.
-    bool general_form(const Piece &, Frame &frame, Scalars &scalars)
+    bool general_form(Frame &frame, Scalars &scalars)
     {
         m_divided = m_normal;
         const double size = longest(m_divided);
@@ -331,8 +319,8 @@ private:
     void square_of_difference(const Piece &piece, Scalars &scalars)
     {
         dot(m_w, m_w, scalars.a);
-        m_temporary.reset(2 * piece.omega.degree_u(), 2 * piece.omega.degree_v());
-        m_temporary.add_product(1.0, piece.omega, piece.omega);
+        m_temporary.reset(2 * piece.omega().degree_u(), 2 * piece.omega().degree_v());
+        m_temporary.add_product(1.0, piece.omega(), piece.omega());
         scalars.a.add_raised(-m_d * m_d, m_temporary);
     }
 
@@ -340,7 +328,7 @@ private:
     void rounding(const Piece &piece, const Bernstein::Range &weights, Frame &frame) const
     {
         const double w = longest(m_w) / weights.low;
-        const double size = std::max({longest(piece.base), longest(piece.offset), piece.extent}) / weights.low;
+        const double size = std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
         const double w_error = extraction_operations * epsilon * size * (weights.high / weights.low) +
                                piece.weight_gap * size / weights.low;
         frame.a_error = 2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + m_d * m_d);
@@ -424,106 +412,64 @@ private:
     Scalars m_spare;
 };
 
-//! Cuts both splines into pieces along the merged knots.
-class PieceCutter
+//! Cuts both splines along their merged knots.
+class PairCutter
 {
 public:
-    explicit PieceCutter(const CertificateRequest &request)
-        : m_base(request.base), m_offset(request.offset),
+    explicit PairCutter(const CertificateRequest &request)
+        : m_rational_base(request.base.rational), m_rational_offset(request.offset.rational),
           m_us(merged_breaks(request.base.u.breaks(), request.offset.u.breaks())),
-          m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())),
-          m_base_u(extractions(request.base.u, m_us)), m_base_v(extractions(request.base.v, m_vs)),
-          m_offset_u(extractions(request.offset.u, m_us)), m_offset_v(extractions(request.offset.v, m_vs))
+          m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())), m_base(request.base, m_us, m_vs),
+          m_offset(request.offset, m_us, m_vs)
     {
     }
 
-    [[nodiscard]] std::size_t count_u() const { return m_base_u.size(); }
-    [[nodiscard]] std::size_t count_v() const { return m_base_v.size(); }
+    [[nodiscard]] std::size_t count_u() const { return m_us.size() - 1; }
+    [[nodiscard]] std::size_t count_v() const { return m_vs.size() - 1; }
 
     [[nodiscard]] ParameterBox box(std::size_t i, std::size_t j) const
     {
         return {m_us[i], m_us[i + 1], m_vs[j], m_vs[j + 1]};
     }
 
-    void cut(std::size_t i, std::size_t j, Piece &piece) const
+    void cut(std::size_t i, std::size_t j, Piece &piece)
     {
-        piece.box = box(i, j);
-        const Eigen::Vector4d &corner = m_base.pole(m_base_u[i].first, m_base_v[j].first);
-        const Eigen::Vector3d origin = corner.head<3>() / corner.w();
+        const Eigen::Vector3d origin = m_base.near_point(i, j);
         piece.extent = origin.cwiseAbs().maxCoeff();
-        piece.shared_weight = m_offset.rational || !m_base.rational;
-        extract(m_base, m_base_u[i], m_base_v[j], origin, piece.base, piece.omega);
-        extract(m_offset, m_offset_u[i], m_offset_v[j], origin, piece.offset, m_offset_omega);
-        piece.weight_gap = 0.0;
-        if (m_offset.rational)
-            piece.weight_gap = gap(piece.omega);
+        piece.shared_weight = m_rational_offset || !m_rational_base;
+        m_base.cut(i, j, origin, piece.base);
+        m_offset.cut(i, j, origin, piece.offset);
+        piece.weight_gap = m_rational_offset ? gap(piece) : 0.0;
     }
 
 private:
-    void extract(const TensorSpline &spline, const SpanExtraction &eu, const SpanExtraction &ev,
-                 const Eigen::Vector3d &origin, Bernstein3 &numerator, Bernstein &omega) const
+    [[nodiscard]] static double gap(const Piece &piece)
     {
-        const int p = spline.u.degree;
-        const int q = spline.v.degree;
-        m_rows.assign(static_cast<std::size_t>((p + 1) * (q + 1)), Eigen::Vector4d::Zero());
-        for (int i = 0; i <= p; ++i)
-            for (int k = 0; k <= p; ++k)
-            {
-                const double x = eu.matrix[static_cast<std::size_t>(i * (p + 1) + k)];
-                if (x == 0.0)
-                    continue;
-                for (int j = 0; j <= q; ++j)
-                {
-                    Eigen::Vector4d pole = spline.pole(eu.first + k, ev.first + j);
-                    pole.head<3>() -= pole.w() * origin;
-                    m_rows[static_cast<std::size_t>(i * (q + 1) + j)] += x * pole;
-                }
-            }
-        for (Bernstein &component : numerator)
-            component.reset(p, q);
-        omega.reset(spline.rational ? p : 0, spline.rational ? q : 0);
-        if (!spline.rational)
-            omega.set_coefficient(0, 0, 1.0);
-        for (int i = 0; i <= p; ++i)
-            for (int j = 0; j <= q; ++j)
-            {
-                Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-                for (int k = 0; k <= q; ++k)
-                    sum += ev.matrix[static_cast<std::size_t>(j * (q + 1) + k)] * m_rows[static_cast<std::size_t>(i * (q + 1) + k)];
-                for (int e = 0; e < 3; ++e)
-                    numerator[static_cast<std::size_t>(e)].set_coefficient(i, j, sum[e]);
-                if (spline.rational)
-                    omega.set_coefficient(i, j, sum.w());
-            }
-    }
-
-    [[nodiscard]] double gap(const Bernstein &omega) const
-    {
-        Bernstein difference(std::max(omega.degree_u(), m_offset_omega.degree_u()),
-                             std::max(omega.degree_v(), m_offset_omega.degree_v()));
-        difference.add_raised(1.0, m_offset_omega);
-        difference.add_raised(-1.0, omega);
+        const Bernstein &base = piece.base.omega;
+        const Bernstein &offset = piece.offset.omega;
+        Bernstein difference(std::max(base.degree_u(), offset.degree_u()), std::max(base.degree_v(), offset.degree_v()));
+        difference.add_raised(1.0, offset);
+        difference.add_raised(-1.0, base);
         return difference.range().size();
     }
 
-    const TensorSpline &m_base;
-    const TensorSpline &m_offset;
+    bool m_rational_base;
+    bool m_rational_offset;
     std::vector<double> m_us;
     std::vector<double> m_vs;
-    std::vector<SpanExtraction> m_base_u, m_base_v, m_offset_u, m_offset_v;
-    mutable std::vector<Eigen::Vector4d> m_rows; // workspace: one cutter serves one thread
-    mutable Bernstein m_offset_omega;
+    SplinePieces m_base;
+    SplinePieces m_offset;
 };
 
 } // namespace
 
 Certificate certify(const CertificateRequest &request)
 {
-    const PieceCutter pattern(request);
+    const PairCutter pattern(request);
     Certificate certificate;
     std::mutex guard;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pattern.count_u()), [&](const auto &range) {
-        PieceCutter cutter = pattern;
+        PairCutter cutter = pattern;
         PieceProver prover(request.distance, request.target);
         Piece piece;
         double worst = 0.0;

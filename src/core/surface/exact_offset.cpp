@@ -27,7 +27,8 @@ Failure folded(const InputFace &input, double distance, double limit, const gp_P
 {
     const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
     FeasibleRange range;
-    (limit * input.normal_sign < 0.0 ? range.negative : range.positive) = limit * input.normal_sign;
+    // the side is that of the distance asked for: the limit itself may be zero
+    (distance * input.normal_sign < 0.0 ? range.negative : range.positive) = limit * input.normal_sign;
     return {Status::CurvatureLimit, Stage::Surface,
             fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place; stay "
                         "below that distance or trim the tight region away.",

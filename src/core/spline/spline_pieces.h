@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! A tensor-product spline cut into Bernstein pieces on a grid of rectangles.
+#pragma once
+
+#include "bernstein.h"
+
+namespace laminate_offset
+{
+
+//! numerator / omega over the unit square; omega has degree (0, 0) and is 1 for a polynomial.
+struct RationalPiece
+{
+    Bernstein3 numerator;
+    Bernstein omega;
+
+    [[nodiscard]] bool rational() const { return omega.degree_u() + omega.degree_v() > 0; }
+    //! The point at the centre of the square.
+    [[nodiscard]] Eigen::Vector3d centre() const;
+    //! Halves like Bernstein::halve.
+    void halve(bool along_u, RationalPiece &upper);
+};
+
+//! Cuts a spline along breaks that hold at least its own knots. The tables are shared, the workspace is
+//! not: one copy serves one thread.
+class SplinePieces
+{
+public:
+    SplinePieces(const TensorSpline &spline, const std::vector<double> &us, const std::vector<double> &vs);
+
+    //! A pole of the piece, to shift coordinates by.
+    [[nodiscard]] Eigen::Vector3d near_point(std::size_t i, std::size_t j) const;
+
+    //! The piece on [us[i], us[i+1]] x [vs[j], vs[j+1]] relative to `origin`.
+    void cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece);
+
+private:
+    const TensorSpline *m_spline;
+    std::vector<SpanExtraction> m_u;
+    std::vector<SpanExtraction> m_v;
+    std::vector<Eigen::Vector4d> m_rows;
+};
+
+} // namespace laminate_offset
