@@ -94,7 +94,11 @@ private:
     Result<OffsetSurface> offset_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
     {
         if (std::optional<Result<OffsetSurface>> exact = exact_offset(input, distance))
+        {
+            if (!exact->ok())
+                return with_both_limits(exact->failure(), input, analysis);
             return *std::move(exact);
+        }
         if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
             return feasible.failure();
         return fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
