@@ -13,9 +13,11 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAbs_CurveType.hxx>
 #include <GeomAdaptor_Surface.hxx>
-#include <GeomLib.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -89,20 +91,18 @@ Handle(Geom_Curve) iso_curve(const Geom_BSplineSurface &surface, const IsoLine &
     return Handle(Geom_Curve)(curve);
 }
 
-//! OpenCASCADE's own exact curve of a simple pcurve on an analytic surface.
+//! The line, circle or ellipse that a simple pcurve on an analytic surface is, in the pcurve's parameters.
 Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
 {
-    Handle(Geom2dAdaptor_Curve) pcurve = new Geom2dAdaptor_Curve(c.pcurve, c.first, c.last);
-    Handle(GeomAdaptor_Surface) surface = new GeomAdaptor_Surface(c.surface);
-    Adaptor3d_CurveOnSurface on_surface(pcurve, surface);
-    const GeomAbs_CurveType type = on_surface.GetType();
-    if (type != GeomAbs_Line && type != GeomAbs_Circle && type != GeomAbs_Ellipse)
-        return {};
-    Handle(Geom_Curve) curve;
-    double deviation = 0.0;
-    double average = 0.0;
-    GeomLib::BuildCurve3d(1e-9, on_surface, c.first, c.last, curve, deviation, average);
-    return curve;
+    const Adaptor3d_CurveOnSurface on_surface(new Geom2dAdaptor_Curve(c.pcurve, c.first, c.last),
+                                              new GeomAdaptor_Surface(c.surface));
+    switch (on_surface.GetType())
+    {
+    case GeomAbs_Line: return new Geom_Line(on_surface.Line());
+    case GeomAbs_Circle: return new Geom_Circle(on_surface.Circle());
+    case GeomAbs_Ellipse: return new Geom_Ellipse(on_surface.Ellipse());
+    default: return {};
+    }
 }
 
 //! Knots of the pcurve with their continuity.
