@@ -40,7 +40,8 @@ public:
             if (it.Value().ShapeType() == TopAbs_WIRE)
                 m_builder.Add(face, make_wire(TopoDS::Wire(it.Value())));
         face.Orientation(m_input.reversed ? TopAbs_REVERSED : TopAbs_FORWARD);
-        face.Location(m_input.location);
+        constexpr bool refuse_mirrors = false; // the base may stand under a mirror, and so may its offset
+        face.Location(m_input.location, refuse_mirrors);
         return face;
     }
 
