@@ -244,15 +244,23 @@ gp_Pnt CurveOnSurface::value(double t) const
 
 double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &on_surface)
 {
-    int intervals = 1;
+    std::vector<double> ends{on_surface.first};
     if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve))
-        intervals = spline->NbKnots() - 1;
-    const int checks = std::max(least_checks, checks_per_interval * intervals);
-    double worst = 0.0;
-    for (int i = 0; i <= checks; ++i)
+        for (int i = 1; i <= spline->NbKnots(); ++i)
+            if (spline->Knot(i) > on_surface.first && spline->Knot(i) < on_surface.last)
+                ends.push_back(spline->Knot(i));
+    ends.push_back(on_surface.last);
+    double worst = curve->Value(ends.front()).SquareDistance(on_surface.value(ends.front()));
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
-        const double t = on_surface.first + (on_surface.last - on_surface.first) * i / checks;
-        worst = std::max(worst, curve->Value(t).SquareDistance(on_surface.value(t)));
+        // short intervals are looked at as closely as long ones: the error has its own peaks in each
+        const double part = (ends[i + 1] - ends[i]) / (on_surface.last - on_surface.first);
+        const int checks = std::max(checks_per_interval, static_cast<int>(std::ceil(least_checks * part)));
+        for (int k = 1; k <= checks; ++k)
+        {
+            const double t = ends[i] + (ends[i + 1] - ends[i]) * k / checks;
+            worst = std::max(worst, curve->Value(t).SquareDistance(on_surface.value(t)));
+        }
     }
     return std::sqrt(worst);
 }
