@@ -205,7 +205,7 @@ TEST(EdgeCurve, AcrossTheKnotsIsFittedWithinTheTolerance)
     RandomCases random;
     int fitted = 0;
     for (const double fine : {1e-2, 1e-4, 1e-6})
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 8; ++i)
         {
             const auto surface = random_surface(random, {.spans_u = 4, .spans_v = 3, .most_repeated = 2});
             const CurveOnSurface slanted =
@@ -228,7 +228,7 @@ TEST(EdgeCurve, AcrossTheKnotsIsFittedWithinTheTolerance)
                 ++fitted;
             }
         }
-    EXPECT_EQ(fitted, 24);
+    EXPECT_EQ(fitted, 48);
 }
 
 TEST(EdgeCurve, StartsAndEndsOnTheSurface)
