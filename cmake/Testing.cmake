@@ -26,6 +26,7 @@ set(laminate_offset_test_environment
     "FREECAD_USER_HOME=${LAMINATE_OFFSET_TEST_HOME}"
     "LAMINATE_OFFSET_PROJECT_DIR=${PROJECT_SOURCE_DIR}"
     "LAMINATE_OFFSET_BUILD_DIR=${PROJECT_BINARY_DIR}"
+    "LAMINATE_OFFSET_SANITIZERS=${LAMINATE_OFFSET_SANITIZERS}"
 )
 if(LAMINATE_OFFSET_SANITIZERS MATCHES "address")
     # Python itself is not instrumented: the sanitizer's library must come first, and the C++ library
@@ -45,8 +46,9 @@ endif()
 # laminate_offset_add_pytest(NAME <name> FILE <file> LABEL <label> [XVFB] [TIMEOUT <seconds>] [DEPENDS <fixture>...])
 #
 # Registers one pytest file. The tests see the add-on of the build tree and FreeCAD's modules on
-# PYTHONPATH, and LAMINATE_OFFSET_PROJECT_DIR and LAMINATE_OFFSET_BUILD_DIR. With XVFB the whole run has an X display of
-# its own, and ctest runs nothing beside it. DEPENDS names ctest fixtures. A file whose tests were all
+# PYTHONPATH, LAMINATE_OFFSET_PROJECT_DIR and LAMINATE_OFFSET_BUILD_DIR, and LAMINATE_OFFSET_SANITIZERS (empty without
+# any; with some, times and memory mean nothing, and FreeCAD's own programs hang). With XVFB the whole run has
+# an X display of its own, and ctest runs nothing beside it. DEPENDS names ctest fixtures. A file whose tests were all
 # skipped is shown as skipped.
 function(laminate_offset_add_pytest)
     cmake_parse_arguments(PARSE_ARGV 0 arg "XVFB" "NAME;FILE;LABEL;TIMEOUT" "DEPENDS")
