@@ -1,97 +1,199 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curvature.h"
 
+#include "curvature_piece.h"
+
 #include "../spline/knot_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <queue>
 
 namespace laminate_offset
 {
 namespace
 {
 
+// Pieces this many halvings deep that still have no bound lie at a pole, where they count as sampled.
+constexpr int deepest_singular_piece = 10;
+constexpr int deepest_piece = 40;
+constexpr int most_steps = 4000;
+// Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
+constexpr double singular_sine = 1e-8;
 constexpr int samples_per_interval = 4;
 constexpr int least_samples = 48;
-constexpr int samples_per_curve = 64;
-constexpr int refined_places = 6;
-constexpr int refinement_rounds = 24;
 
-//! The search keeps the best few places of one sign.
-class Search
+//! The side of the search: +1 for the highest curvature, -1 for the lowest. Internally everything is
+//! turned so that the most extreme value is the largest.
+double turned(double sign, const std::pair<double, double> &k) { return sign > 0.0 ? k.second : -k.first; }
+
+struct Node
+{
+    double bound = 0.0; //!< turned
+    int depth = 0;
+    bool fine = false; //!< the bound is the fine one
+    ParameterBox box;
+    RationalPiece piece;
+
+    friend bool operator<(const Node &a, const Node &b) { return a.bound < b.bound; }
+};
+
+struct Best
+{
+    double value = 0.0; //!< turned; a flat surface's extreme is 0
+    gp_Pnt2d uv;
+};
+
+struct SideGoal
+{
+    double sign = 1.0;
+    double threshold = 0.0; //!< turned curvature that has to be decided, 0 for none
+    double gap = 1e-3;
+    double floor = 0.0; //!< turned curvature below which nothing matters
+};
+
+//! Best-first search for one side's extreme.
+class SideSearch
 {
 public:
-    Search(const BaseSurface &base, const LoopRegion &region, double sign) : m_base(base), m_region(region), m_sign(sign)
+    SideSearch(const LoopRegion &region, const SideGoal &goal, const Best &start)
+        : m_region(region), m_sign(goal.sign), m_threshold(goal.threshold), m_gap(goal.gap), m_floor(goal.floor),
+          m_best(start)
     {
     }
 
-    void offer(double value, const gp_Pnt2d &uv)
+    //! Takes a piece whose rough bounds are known; its centre has been probed.
+    void add(const std::pair<double, double> &rough, const RationalPiece &piece, const ParameterBox &box, int depth)
     {
-        if (m_places.size() == refined_places && m_sign * value <= m_sign * m_places.back().curvature)
-            return;
-        m_places.push_back({value, uv});
-        std::sort(m_places.begin(), m_places.end(),
-                  [this](const auto &a, const auto &b) { return m_sign * a.curvature > m_sign * b.curvature; });
-        if (m_places.size() > refined_places)
-            m_places.pop_back();
+        const double bound = m_sign > 0.0 ? rough.second : -rough.first;
+        if (closed(bound))
+            settle(bound);
+        else
+            m_queue.push({bound, depth, false, box, piece});
     }
 
-    //! Compass search from every place, inside the loops, with steps that start at (du, dv).
-    void refine(double du, double dv)
+    //! A curvature attained at a place.
+    void offer(const std::pair<double, double> &k, const gp_Pnt2d &uv)
     {
-        for (PlacedCurvature &place : m_places)
-            climb(place, du, dv);
+        if (turned(m_sign, k) > m_best.value && m_region.contains(uv))
+            m_best = {turned(m_sign, k), uv};
     }
 
-    [[nodiscard]] std::optional<PlacedCurvature> best() const
+    CurvatureBound run()
     {
-        const auto it = std::max_element(m_places.begin(), m_places.end(), [this](const auto &a, const auto &b) {
-            return m_sign * a.curvature < m_sign * b.curvature;
-        });
-        return it == m_places.end() ? std::nullopt : std::optional(*it);
+        bool complete = true;
+        for (int count = 0; count < most_steps && !m_queue.empty() && !closed(m_queue.top().bound); ++count)
+        {
+            Node node = m_queue.top();
+            m_queue.pop();
+            if (!node.fine)
+                refine(node);
+            else if (node.depth < (std::isfinite(node.bound) ? deepest_piece : deepest_singular_piece))
+                split(node);
+            else
+                complete = false; // its centre has been probed
+        }
+        if (!m_queue.empty())
+            settle(m_queue.top().bound);
+        return {m_sign * m_best.value, m_sign * std::max(m_settled, m_best.value), m_best.uv, !complete};
     }
 
 private:
-    void climb(PlacedCurvature &place, double du, double dv) const
+    //! Is a bound good enough to stop at?
+    [[nodiscard]] bool closed(double bound) const
     {
-        const ParameterBox &box = m_base.box();
-        for (int round = 0; round < refinement_rounds; ++round)
-        {
-            bool moved = false;
-            for (const auto &[x, y] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-            {
-                const gp_Pnt2d uv(std::clamp(place.uv.X() + x * du, box.umin, box.umax),
-                                  std::clamp(place.uv.Y() + y * dv, box.vmin, box.vmax));
-                const auto k = principal_curvatures(m_base.jets({uv.X()}, {uv.Y()}, 2).front());
-                if (!k || m_sign * pick(*k) <= m_sign * place.curvature || !m_region.contains(uv))
-                    continue;
-                place = {pick(*k), uv};
-                moved = true;
-            }
-            if (moved)
-                continue;
-            du *= 0.5;
-            dv *= 0.5;
-        }
+        const bool undecided = m_threshold > m_best.value && m_threshold <= bound;
+        return !undecided && bound <= std::max(m_best.value * (1.0 + m_gap), m_floor);
     }
 
-    [[nodiscard]] double pick(const std::pair<double, double> &k) const { return m_sign > 0 ? k.second : k.first; }
+    void settle(double bound) { m_settled = std::max(m_settled, bound); }
 
-    const BaseSurface &m_base;
+    void refine(Node &node)
+    {
+        const std::pair<double, double> fine = m_bounder.fine(node.piece);
+        node.bound = std::min(node.bound, m_sign > 0.0 ? fine.second : -fine.first);
+        node.fine = true;
+        if (closed(node.bound))
+            settle(node.bound);
+        else
+            m_queue.push(std::move(node));
+    }
+
+    void add_half(const RationalPiece &piece, const ParameterBox &box, int depth)
+    {
+        if (!m_region.may_touch(box))
+            return;
+        const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
+        if (const auto k = m_bounder.at_centre(piece))
+            offer(*k, middle);
+        add(m_bounder.rough(piece), piece, box, depth);
+    }
+
+    void split(Node &node)
+    {
+        const bool along_u = m_bounder.longer_in_u(node.piece);
+        RationalPiece upper = node.piece;
+        node.piece.halve(along_u, upper);
+        ParameterBox low = node.box;
+        ParameterBox high = node.box;
+        if (along_u)
+            low.umax = high.umin = 0.5 * (low.umin + low.umax);
+        else
+            low.vmax = high.vmin = 0.5 * (low.vmin + low.vmax);
+        add_half(node.piece, low, node.depth + 1);
+        add_half(upper, high, node.depth + 1);
+    }
+
     const LoopRegion &m_region;
     double m_sign;
-    std::vector<PlacedCurvature> m_places;
+    double m_threshold;
+    double m_gap;
+    double m_floor;
+    Best m_best;
+    double m_settled = 0.0;
+    CurvaturePieceBounder m_bounder;
+    std::priority_queue<Node> m_queue;
 };
 
-std::vector<double> grid_parameters(double low, double high, const std::vector<SmoothnessBreak> &breaks)
+std::vector<double> with_ends(double low, double high, const std::vector<SmoothnessBreak> &breaks)
 {
     std::vector<double> ends{low};
     for (const SmoothnessBreak &b : breaks)
         ends.push_back(b.parameter);
     ends.push_back(high);
-    const int intervals = static_cast<int>(ends.size()) - 1;
-    return chebyshev_parameters(ends, std::max(samples_per_interval, least_samples / intervals));
+    return ends;
+}
+
+//! The best of the places on the loops, and for a base that is no spline of a grid inside them.
+std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion &region, bool grid)
+{
+    std::pair<Best, Best> best;
+    const double wu = base.box().umax - base.box().umin;
+    const double wv = base.box().vmax - base.box().vmin;
+    const auto offer = [&](const SurfaceJet &jet, const gp_Pnt2d &uv) {
+        const auto k =
+            principal_curvatures({jet.s, wu * jet.u, wv * jet.v, wu * wu * jet.uu, wu * wv * jet.uv, wv * wv * jet.vv});
+        if (k && -k->first > best.first.value)
+            best.first = {-k->first, uv};
+        if (k && k->second > best.second.value)
+            best.second = {k->second, uv};
+    };
+    for (const gp_Pnt2d &uv : region.boundary_points())
+        offer(base.jets({uv.X()}, {uv.Y()}, 2).front(), uv);
+    if (!grid)
+        return best;
+    const auto parameters = [](const std::vector<double> &ends) {
+        const int intervals = static_cast<int>(ends.size()) - 1;
+        return chebyshev_parameters(ends, std::max(samples_per_interval, least_samples / intervals));
+    };
+    const ParameterBox &box = base.box();
+    const std::vector<double> us = parameters(with_ends(box.umin, box.umax, base.breaks_u()));
+    const std::vector<double> vs = parameters(with_ends(box.vmin, box.vmax, base.breaks_v()));
+    const std::vector<SurfaceJet> jets = base.jets(us, vs, 2);
+    for (std::size_t i = 0; i < jets.size(); ++i)
+        if (const gp_Pnt2d uv(us[i / vs.size()], vs[i % vs.size()]); region.contains(uv))
+            offer(jets[i], uv);
+    return best;
 }
 
 } // namespace
@@ -100,11 +202,13 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
 {
     const Eigen::Vector3d normal = jet.u.cross(jet.v);
     const double area = normal.norm();
-    if (!(area > 1e-9 * jet.u.norm() * jet.v.norm()))
+    const double lu = jet.u.norm();
+    const double shorter = std::min(lu, jet.v.norm());
+    const double longer = std::max(lu, jet.v.norm());
+    if (!(area > singular_sine * shorter * longer) || !(shorter > singular_sine * longer))
         return std::nullopt;
     const Eigen::Vector3d n = normal / area;
     // second fundamental form in the orthonormal frame (S_u, its normal in the tangent plane)
-    const double lu = jet.u.norm();
     const double shear = jet.u.dot(jet.v) / (lu * lu);
     const double lv = area / lu;
     const double l = jet.uu.dot(n) / (lu * lu);
@@ -115,37 +219,44 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
     return std::pair{mean - spread, mean + spread};
 }
 
-CurvatureExtremes curvature_extremes(const BaseSurface &base, const InputFace &input, const LoopRegion &region)
+CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, double distance, double gap,
+                                     double floor)
 {
-    const ParameterBox &box = base.box();
-    const std::vector<double> us = grid_parameters(box.umin, box.umax, base.breaks_u());
-    const std::vector<double> vs = grid_parameters(box.vmin, box.vmax, base.breaks_v());
-    Search lowest(base, region, -1.0);
-    Search highest(base, region, 1.0);
-    const auto offer = [&](const SurfaceJet &jet, const gp_Pnt2d &uv) {
-        const auto k = principal_curvatures(jet);
-        if (!k)
-            return;
-        lowest.offer(k->first, uv);
-        highest.offer(k->second, uv);
+    const std::pair<Best, Best> start = sampled_extremes(base, region, !base.spline());
+    if (!base.spline())
+        return {{-start.first.value, -start.first.value, start.first.uv, true},
+                {start.second.value, start.second.value, start.second.uv, true}};
+    SideSearch lowest(region, {-1.0, distance < 0.0 ? -1.0 / distance : 0.0, gap, floor}, start.first);
+    SideSearch highest(region, {1.0, distance > 0.0 ? 1.0 / distance : 0.0, gap, floor}, start.second);
+    const std::vector<double> us = base.spline()->u.breaks();
+    const std::vector<double> vs = base.spline()->v.breaks();
+    SplinePieces pieces(*base.spline(), us, vs);
+    CurvaturePieceBounder bounder;
+    RationalPiece piece;
+    const auto each_piece = [&](const auto &visit) {
+        for (std::size_t i = 0; i + 1 < us.size(); ++i)
+            for (std::size_t j = 0; j + 1 < vs.size(); ++j)
+                if (const ParameterBox box{us[i], us[i + 1], vs[j], vs[j + 1]}; region.may_touch(box))
+                {
+                    pieces.cut(i, j, pieces.near_point(i, j), piece);
+                    visit(box);
+                }
     };
-    const std::vector<SurfaceJet> jets = base.jets(us, vs, 2);
-    for (std::size_t i = 0; i < jets.size(); ++i)
-        if (const gp_Pnt2d uv(us[i / vs.size()], vs[i % vs.size()]); region.contains(uv))
-            offer(jets[i], uv);
-    for (const TrimmingLoop &loop : input.loops)
-        for (const TrimmingCurve &curve : loop.curves)
-            for (int i = 0; i <= samples_per_curve; ++i)
-            {
-                const double t = curve.first + (curve.last - curve.first) * i / samples_per_curve;
-                const gp_Pnt2d uv = curve.pcurve->Value(t);
-                offer(base.jets({uv.X()}, {uv.Y()}, 2).front(), uv);
-            }
-    const double du = (box.umax - box.umin) / static_cast<double>(us.size());
-    const double dv = (box.vmax - box.vmin) / static_cast<double>(vs.size());
-    lowest.refine(du, dv);
-    highest.refine(du, dv);
-    return {lowest.best(), highest.best()};
+    // all centres first: the better the attained curvature, the fewer pieces stay open
+    each_piece([&](const ParameterBox &box) {
+        const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
+        if (const auto k = bounder.at_centre(piece))
+        {
+            lowest.offer(*k, middle);
+            highest.offer(*k, middle);
+        }
+    });
+    each_piece([&](const ParameterBox &box) {
+        const std::pair<double, double> rough = bounder.rough(piece);
+        lowest.add(rough, piece, box, 0);
+        highest.add(rough, piece, box, 0);
+    });
+    return {lowest.run(), highest.run()};
 }
 
 } // namespace laminate_offset

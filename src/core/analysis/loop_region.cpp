@@ -4,7 +4,6 @@
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Precision.hxx>
 
 #include <algorithm>
 
@@ -15,6 +14,8 @@ namespace
 
 constexpr int pieces_per_interval = 8;
 constexpr int least_pieces = 16;
+// A loop that runs along a rectangle's border does not touch it; pcurves miss their line by rounding.
+constexpr double grazing = 1e-10;
 
 int piece_count(const Geom2dAdaptor_Curve &curve)
 {
@@ -39,7 +40,7 @@ LoopRegion::LoopRegion(const InputFace &input)
                 const double a = curve.first + (curve.last - curve.first) * i / count;
                 const double b = curve.first + (curve.last - curve.first) * (i + 1) / count;
                 Bnd_Box2d bounds;
-                BndLib_Add2dCurve::Add(adaptor, a, b, Precision::PConfusion(), bounds);
+                BndLib_Add2dCurve::Add(adaptor, a, b, 0.0, bounds);
                 Piece piece{adaptor.Value(a), adaptor.Value(b), {}};
                 bounds.Add(piece.start);
                 bounds.Add(piece.end);
@@ -68,9 +69,11 @@ bool LoopRegion::contains(const gp_Pnt2d &uv) const
 
 bool LoopRegion::may_touch(const ParameterBox &box) const
 {
+    const double du = grazing * (box.umax - box.umin);
+    const double dv = grazing * (box.vmax - box.vmin);
     for (const Piece &piece : m_pieces)
-        if (piece.box.umin <= box.umax && piece.box.umax >= box.umin && piece.box.vmin <= box.vmax &&
-            piece.box.vmax >= box.vmin)
+        if (piece.box.umin < box.umax - du && piece.box.umax > box.umin + du && piece.box.vmin < box.vmax - dv &&
+            piece.box.vmax > box.vmin + dv)
             return true;
     return contains(gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax)));
 }

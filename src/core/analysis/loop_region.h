@@ -21,7 +21,8 @@ public:
     //! Inside the loops; next to them (inside a piece's box) the chord of the piece decides.
     [[nodiscard]] bool contains(const gp_Pnt2d &uv) const;
 
-    //! False only if no point of the rectangle is inside the loops or on them.
+    //! False only if no point inside the rectangle is inside the loops. A rectangle that the loops merely
+    //! touch from outside does not count.
     [[nodiscard]] bool may_touch(const ParameterBox &box) const;
 
     //! Points on the loops, the ends of the pieces.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace laminate_offset
 {
@@ -19,6 +20,10 @@ constexpr double crease_step = 1e-8;
 constexpr int crease_probes = 33;
 // Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
 constexpr double flat_curvature = 1e-9;
+// Radii above a hundred diagonals are not pinned down any closer.
+constexpr double irrelevant_curvature = 1e-2;
+// Relative width between what is proven and what is attained at which the search for a limit ends.
+constexpr double limit_gap = 1e-3;
 
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {
@@ -76,11 +81,12 @@ Result<bool> check_creases(const BaseSurface &base, const InputFace &input, cons
     const double tear = 2.0 * std::abs(distance) * std::sin(0.5 * worst.angle);
     if (tear <= 0.5 * tolerance)
         return true;
-    return refusal_at(Status::KinkedSurface,
-                      fmt::format("The surface has a crease of {:.4g} degrees, which tears the offset by {:.4g} mm; split "
-                                  "the face along the crease and offset the parts.",
-                                  worst.angle * 180.0 / M_PI, tear),
-                      input, worst.uv);
+    return refusal_at(
+        Status::KinkedSurface,
+        fmt::format("The surface has a crease of {:.4g} degrees, which tears the offset by {:.4g} mm; split "
+                    "the face along the crease and offset the parts.",
+                    worst.angle * 180.0 / M_PI, tear),
+        input, worst.uv);
 }
 
 } // namespace
@@ -91,12 +97,17 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
     const LoopRegion &region = analysis.region;
     if (const auto smooth = check_creases(analysis.base, input, region, distance, tolerance); !smooth)
         return smooth.failure();
-    const CurvatureExtremes extremes = curvature_extremes(analysis.base, input, region);
+    const double floor = irrelevant_curvature / input.diagonal;
+    const CurvatureExtremes extremes = curvature_extremes(analysis.base, region, distance, limit_gap, floor);
     const double flat = flat_curvature / input.diagonal;
-    if (extremes.lowest && extremes.lowest->curvature < -flat)
-        analysis.negative = CurvatureLimit{1.0 / extremes.lowest->curvature, extremes.lowest->uv};
-    if (extremes.highest && extremes.highest->curvature > flat)
-        analysis.positive = CurvatureLimit{1.0 / extremes.highest->curvature, extremes.highest->uv};
+    const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
+        if (std::abs(k.proven) <= flat)
+            return std::nullopt;
+        const double infinity = std::copysign(std::numeric_limits<double>::infinity(), k.proven);
+        return CurvatureLimit{1.0 / k.proven, k.attained == 0.0 ? infinity : 1.0 / k.attained, k.uv};
+    };
+    analysis.negative = limit(extremes.lowest);
+    analysis.positive = limit(extremes.highest);
     return analysis;
 }
 
@@ -120,13 +131,14 @@ FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &i
 Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance)
 {
     const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
-    if (!limit || std::abs(distance) < std::abs(limit->distance))
+    if (!limit || std::abs(distance) < std::abs(limit->folds))
         return true;
     Failure failure = refusal_at(Status::CurvatureLimit, "", input, limit->uv);
     failure.feasible_range = feasible_range(analysis, input);
-    failure.message = fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
-                                  "the offset would fold; stay below that distance or trim the tight region away.",
-                                  input.normal_sign * distance, std::abs(limit->distance));
+    failure.message =
+        fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
+                    "the offset would fold; stay below that distance or trim the tight region away.",
+                    input.normal_sign * distance, std::abs(limit->folds));
     return failure;
 }
 

@@ -14,10 +14,12 @@
 namespace laminate_offset
 {
 
-//! A signed distance at which the offset folds, and the place of the base where that begins.
+//! A signed distance up to which the offset is proven not to fold, and the place of the base where it
+//! will fold soon after.
 struct CurvatureLimit
 {
-    double distance = 0.0; //!< [mm] along S_u x S_v
+    double distance = 0.0; //!< [mm] along S_u x S_v; feasible up to here
+    double folds = 0.0;    //!< [mm] the offset certainly folds from here on; infinite when no place was found
     gp_Pnt2d uv;
 };
 

@@ -111,7 +111,8 @@ Result<TrimmingCurve> read_curve(const TopoDS_Edge &edge, const InputFace &input
         return refusal(Status::InvalidFace, "An edge of the face has no curve in the surface's parameters; "
                                             "repair the face so that every edge lies on it.");
     if (Precision::IsInfinite(curve.first) || Precision::IsInfinite(curve.last))
-        return refusal(Status::UnboundedFace, "An edge of the face has no end; trim the surface to a finite face first.");
+        return refusal(Status::UnboundedFace,
+                       "An edge of the face has no end; trim the surface to a finite face first.");
     if (!(curve.first < curve.last))
         return refusal(Status::InvalidFace, "An edge of the face has an empty parameter range; repair the face.");
     curve.degenerated = BRep_Tool::Degenerated(edge);
@@ -231,7 +232,8 @@ Result<bool> measure(InputFace &input)
     Bnd_Box space;
     BRepBndLib::AddOptimal(input.face, space, false, false);
     if (space.IsVoid() || space.IsOpen())
-        return refusal(Status::UnboundedFace, "The face has no finite extent; trim the surface to a finite face first.");
+        return refusal(Status::UnboundedFace,
+                       "The face has no finite extent; trim the surface to a finite face first.");
     input.diagonal = std::sqrt(space.SquareExtent());
     if (!std::isfinite(input.diagonal))
         return refusal(Status::NotFinite, "The face's extent is not a finite number; import the model again.");
@@ -239,7 +241,8 @@ Result<bool> measure(InputFace &input)
     const double rectangle = (input.box.umax - input.box.umin) * (input.box.vmax - input.box.vmin);
     // A loop that runs along a line and back encloses nothing; a sliver of a real face encloses far more than this.
     if (!(rectangle > 0.0) || std::abs(signed_area(input.loops)) <= 1e-9 * rectangle)
-        return refusal(Status::ZeroArea, "The trimming loops enclose no area; remove the degenerate face or repair its loops.");
+        return refusal(Status::ZeroArea,
+                       "The trimming loops enclose no area; remove the degenerate face or repair its loops.");
     return true;
 }
 
@@ -252,7 +255,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
     input.normal_sign = (input.reversed != mirrored) ? -1.0 : 1.0;
     input.surface = BRep_Tool::Surface(input.face);
     if (input.surface.IsNull())
-        return refusal(Status::InvalidFace, "The face has no surface (it may be a mesh); use a face with exact geometry.");
+        return refusal(Status::InvalidFace,
+                       "The face has no surface (it may be a mesh); use a face with exact geometry.");
     input.surface = unwrapped(input.surface);
     if (!finite_poles(input.surface))
         return refusal(Status::NotFinite, not_finite);
@@ -267,7 +271,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
         input.loops.push_back(std::move(loop).value());
     }
     if (input.loops.empty())
-        return refusal(Status::UnboundedFace, "The face has no trimming loop; trim the surface to a finite face first.");
+        return refusal(Status::UnboundedFace,
+                       "The face has no trimming loop; trim the surface to a finite face first.");
     if (const Result<bool> measured = measure(input); !measured)
         return measured.failure();
     return input;
@@ -292,9 +297,10 @@ Result<InputFace> read_face(const TopoDS_Shape &shape)
     if (shape.IsNull())
         return refusal(Status::NullShape, "No shape was given; select a face of a recomputed object.");
     if (shape.ShapeType() != TopAbs_FACE)
-        return refusal(Status::NotAFace, fmt::format("The shape is a {}, not a face; select one face, or pass its faces "
-                                                     "one by one.",
-                                                     kind_name(shape.ShapeType())));
+        return refusal(Status::NotAFace,
+                       fmt::format("The shape is a {}, not a face; select one face, or pass its faces "
+                                   "one by one.",
+                                   kind_name(shape.ShapeType())));
     return read_checked(TopoDS::Face(shape));
 }
 

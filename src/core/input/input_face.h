@@ -51,15 +51,15 @@ struct TrimmingLoop
 //! only has to be given the same location again.
 struct InputFace
 {
-    TopoDS_Face face;            //!< location removed, orientation FORWARD
-    TopLoc_Location location;    //!< of the original
-    bool reversed = false;       //!< orientation of the original
-    double normal_sign = 1.0;    //!< +1 where the outward normal is S_u x S_v, -1 where it is opposite
+    TopoDS_Face face;             //!< location removed, orientation FORWARD
+    TopLoc_Location location;     //!< of the original
+    bool reversed = false;        //!< orientation of the original
+    double normal_sign = 1.0;     //!< +1 where the outward normal is S_u x S_v, -1 where it is opposite
     Handle(Geom_Surface) surface; //!< unwrapped from Geom_RectangularTrimmedSurface
     std::vector<TrimmingLoop> loops;
-    ParameterBox box;        //!< of all trimming curves
-    double diagonal = 0.0;   //!< of the face's bounding box [mm]
-    double tolerance = 0.0;  //!< largest tolerance of the face's edges and vertices [mm]
+    ParameterBox box;       //!< of all trimming curves
+    double diagonal = 0.0;  //!< of the face's bounding box [mm]
+    double tolerance = 0.0; //!< largest tolerance of the face's edges and vertices [mm]
 
     [[nodiscard]] int edge_count() const; //!< distinct edges, a seam counted once
 };

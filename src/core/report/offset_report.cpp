@@ -90,7 +90,8 @@ std::string to_text(const OffsetReport &report)
 {
     if (report.status != Status::Ok)
         return fmt::format("refused ({}, stage {}): {}", name(report.status), name(report.stage), report.message);
-    std::string text = fmt::format("offset by {:.6g} mm: {} loops, {} edges", report.distance, report.loops, report.edges);
+    std::string text =
+        fmt::format("offset by {:.6g} mm: {} loops, {} edges", report.distance, report.loops, report.edges);
     if (report.surface)
         text += fmt::format(", {}", report.surface->type);
     if (report.surface && report.surface->poles_u > 0)

@@ -14,7 +14,9 @@ constexpr int largest_degree = 127;
 std::vector<double> pascal_triangle()
 {
     std::vector<double> table(static_cast<std::size_t>((largest_degree + 1) * (largest_degree + 1)), 0.0);
-    const auto at = [&](int n, int k) -> double & { return table[static_cast<std::size_t>(n * (largest_degree + 1) + k)]; };
+    const auto at = [&](int n, int k) -> double & {
+        return table[static_cast<std::size_t>(n * (largest_degree + 1) + k)];
+    };
     for (int n = 0; n <= largest_degree; ++n)
     {
         at(n, 0) = 1.0;
@@ -48,8 +50,8 @@ void blossom_weights(const KnotVector &kv, int span, double a, double b, int i, 
                 const double low = t[k - p];
                 const double high = t[k + 1 - r];
                 const double s = (x - low) / (high - low);
-                points[static_cast<std::size_t>(k)] = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] +
-                                                      s * points[static_cast<std::size_t>(k)];
+                points[static_cast<std::size_t>(k)] =
+                    (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * points[static_cast<std::size_t>(k)];
             }
         }
         weights[column] = points[static_cast<std::size_t>(p)];
@@ -132,7 +134,9 @@ void Bernstein::halve(bool along_u, Bernstein &upper)
     std::array<double, largest_degree + 1> points;
     for (int line = 0; line <= lines; ++line)
     {
-        const auto at = [&](Bernstein &b, int k) -> double & { return along_u ? b.scaled(k, line) : b.scaled(line, k); };
+        const auto at = [&](Bernstein &b, int k) -> double & {
+            return along_u ? b.scaled(k, line) : b.scaled(line, k);
+        };
         for (int k = 0; k <= degree; ++k)
             points[static_cast<std::size_t>(k)] = at(*this, k) / weights[k];
         for (int r = 0; r <= degree; ++r)
@@ -213,6 +217,33 @@ double longest(const Bernstein3 &a)
     return std::sqrt(largest);
 }
 
+Eigen::Vector3d centre(const Bernstein3 &a) { return {a[0].centre(), a[1].centre(), a[2].centre()}; }
+
+void assign_dot(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out)
+{
+    out.reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
+    for (std::size_t e = 0; e < 3; ++e)
+        out.add_product(1.0, a[e], b[e]);
+}
+
+void assign_cross(const Bernstein3 &a, const Bernstein3 &b, Bernstein3 &out)
+{
+    for (std::size_t e = 0; e < 3; ++e)
+    {
+        const std::size_t f = (e + 1) % 3;
+        const std::size_t g = (e + 2) % 3;
+        out[e].reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
+        out[e].add_product(1.0, a[f], b[g]);
+        out[e].add_product(-1.0, a[g], b[f]);
+    }
+}
+
+void assign_product(const Bernstein &a, const Bernstein &b, Bernstein &out)
+{
+    out.reset(a.degree_u() + b.degree_u(), a.degree_v() + b.degree_v());
+    out.add_product(1.0, a, b);
+}
+
 std::vector<SpanExtraction> extractions(const KnotVector &kv, const std::vector<double> &breaks)
 {
     std::vector<SpanExtraction> result;
@@ -223,7 +254,8 @@ std::vector<SpanExtraction> extractions(const KnotVector &kv, const std::vector<
         const int span = kv.span(0.5 * (extraction.a + extraction.b));
         extraction.first = span - kv.degree;
         for (int k = 0; k <= kv.degree; ++k)
-            blossom_weights(kv, span, extraction.a, extraction.b, k, extraction.matrix.data() + static_cast<std::size_t>(k) * width);
+            blossom_weights(kv, span, extraction.a, extraction.b, k,
+                            extraction.matrix.data() + static_cast<std::size_t>(k) * width);
         result.push_back(std::move(extraction));
     }
     return result;

@@ -88,6 +88,18 @@ using Bernstein3 = std::array<Bernstein, 3>;
 //! Longest coefficient vector: a bound of the length of the values.
 double longest(const Bernstein3 &a);
 
+//! The vector of the values at the centre of the square.
+Eigen::Vector3d centre(const Bernstein3 &a);
+
+//! out = a.b
+void assign_dot(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out);
+
+//! out = a x b
+void assign_cross(const Bernstein3 &a, const Bernstein3 &b, Bernstein3 &out);
+
+//! out = a b
+void assign_product(const Bernstein &a, const Bernstein &b, Bernstein &out);
+
 //! The matrix that takes the degree + 1 poles of a span to Bernstein coefficients on [a, b] inside that
 //! span: coefficient i is row i (blossom with a repeated degree - i and b repeated i times).
 struct SpanExtraction

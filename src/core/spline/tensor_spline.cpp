@@ -124,8 +124,8 @@ std::vector<SurfaceJet> TensorSpline::jets(const std::vector<double> &us, const 
             {
                 const int column = static_cast<int>(l);
                 for (std::size_t e = 0; e < needed[static_cast<std::size_t>(order)]; ++e)
-                    h[e] = contract_v(columns[static_cast<std::size_t>(pairs[e][0])],
-                                      rows_v.row(column, pairs[e][1]), rows_v.first(column), rows_v.width());
+                    h[e] = contract_v(columns[static_cast<std::size_t>(pairs[e][0])], rows_v.row(column, pairs[e][1]),
+                                      rows_v.first(column), rows_v.width());
                 project(h, order, result[k * vs.size() + l]);
             }
         }

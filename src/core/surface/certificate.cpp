@@ -45,10 +45,10 @@ struct Piece
 
 struct Scalars
 {
-    Bernstein a;     //!< W.W - d^2 omega^2
-    Bernstein b;     //!< W.T1, or the components of W x M in the general form
+    Bernstein a; //!< W.W - d^2 omega^2
+    Bernstein b; //!< W.T1, or the components of W x M in the general form
     Bernstein c;
-    Bernstein third; //!< general form only
+    Bernstein third;  //!< general form only
     Bernstein square; //!< general form only: M.M
     Bernstein omega;
 
@@ -64,8 +64,6 @@ struct Scalars
         square.halve(along_u, upper.square);
     }
 };
-
-Eigen::Vector3d centre(const Bernstein3 &a) { return {a[0].centre(), a[1].centre(), a[2].centre()}; }
 
 //! Length of everything on one rectangle that does not change while its scalars are halved.
 struct Frame
@@ -254,8 +252,8 @@ private:
         const double trace = h1 * h1 + h2 * h2;
         const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * area * area)));
         frame.gram = (1.0 + 1e-9) * largest / (area * area);
-        dot(m_w, m_t1, scalars.b);
-        dot(m_w, m_t2, scalars.c);
+        assign_dot(m_w, m_t1, scalars.b);
+        assign_dot(m_w, m_t2, scalars.c);
         return true;
     }
 
@@ -271,13 +269,6 @@ private:
         }
     }
 
-    static void dot(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out)
-    {
-        out.reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
-        for (int e = 0; e < 3; ++e)
-            out.add_product(1.0, a[e], b[e]);
-    }
-
     //! W x M and M.M, where M is the normal with its zeros on borders divided out.
     bool general_form(Frame &frame, Scalars &scalars)
     {
@@ -285,8 +276,8 @@ private:
         const double size = longest(m_divided);
         if (!(size > 0.0))
             return false;
-        for (const auto border : {Bernstein::Border::LowU, Bernstein::Border::HighU, Bernstein::Border::LowV,
-                                  Bernstein::Border::HighV})
+        for (const auto border :
+             {Bernstein::Border::LowU, Bernstein::Border::HighU, Bernstein::Border::LowV, Bernstein::Border::HighV})
             while (collapses(border, size))
                 for (Bernstein &component : m_divided)
                     component.divide(border);
@@ -301,7 +292,7 @@ private:
             out[e]->add_product(1.0, m_w[(e + 1) % 3], m_divided[(e + 2) % 3]);
             out[e]->add_product(-1.0, m_w[(e + 2) % 3], m_divided[(e + 1) % 3]);
         }
-        dot(m_divided, m_divided, scalars.square);
+        assign_dot(m_divided, m_divided, scalars.square);
         frame.b_weight_power = 1;
         frame.gram = 1.0;
         return true;
@@ -318,7 +309,7 @@ private:
 
     void square_of_difference(const Piece &piece, Scalars &scalars)
     {
-        dot(m_w, m_w, scalars.a);
+        assign_dot(m_w, m_w, scalars.a);
         m_temporary.reset(2 * piece.omega().degree_u(), 2 * piece.omega().degree_v());
         m_temporary.add_product(1.0, piece.omega(), piece.omega());
         scalars.a.add_raised(-m_d * m_d, m_temporary);
@@ -328,7 +319,8 @@ private:
     void rounding(const Piece &piece, const Bernstein::Range &weights, Frame &frame) const
     {
         const double w = longest(m_w) / weights.low;
-        const double size = std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
+        const double size =
+            std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
         const double w_error = extraction_operations * epsilon * size * (weights.high / weights.low) +
                                piece.weight_gap * size / weights.low;
         frame.a_error = 2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + m_d * m_d);
@@ -372,7 +364,8 @@ private:
             tangential = std::sqrt(squares(s.b, s.c, s.third) / square) / weight;
         }
         else
-            tangential = std::sqrt(frame.gram * (std::pow(s.b.range().size(), 2) + std::pow(s.c.range().size(), 2))) / weight;
+            tangential =
+                std::sqrt(frame.gram * (std::pow(s.b.range().size(), 2) + std::pow(s.c.range().size(), 2))) / weight;
         tangential += frame.b_error * std::sqrt(frame.gram);
         return combined(tangential, low, high);
     }
@@ -447,7 +440,8 @@ private:
     {
         const Bernstein &base = piece.base.omega;
         const Bernstein &offset = piece.offset.omega;
-        Bernstein difference(std::max(base.degree_u(), offset.degree_u()), std::max(base.degree_v(), offset.degree_v()));
+        Bernstein difference(std::max(base.degree_u(), offset.degree_u()),
+                             std::max(base.degree_v(), offset.degree_v()));
         difference.add_raised(1.0, offset);
         difference.add_raised(-1.0, base);
         return difference.range().size();

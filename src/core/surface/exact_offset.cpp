@@ -40,7 +40,8 @@ OffsetSurface exact(const InputFace &input, const Handle(Geom_Surface) & geometr
 {
     OffsetSurface result;
     result.geometry = geometry;
-    const gp_Pnt probe = input.surface->Value(0.5 * (input.box.umin + input.box.umax), 0.5 * (input.box.vmin + input.box.vmax));
+    const gp_Pnt probe =
+        input.surface->Value(0.5 * (input.box.umin + input.box.umax), 0.5 * (input.box.vmin + input.box.vmax));
     const double size = probe.XYZ().Modulus() + input.diagonal + std::abs(distance);
     result.certified_error = rounding_operations * std::numeric_limits<double>::epsilon() * size;
     return result;
@@ -81,7 +82,7 @@ Result<OffsetSurface> offset_torus(const InputFace &input, const Geom_ToroidalSu
     // On the inner side the offset tube reaches the axis where R + (r + d) cos v = 0.
     const double turn = 2.0 * M_PI;
     const double inner = M_PI + turn * std::ceil((input.box.vmin - M_PI) / turn);
-    const double v = inner <= input.box.vmax ? inner
+    const double v = inner <= input.box.vmax                               ? inner
                      : std::cos(input.box.vmin) < std::cos(input.box.vmax) ? input.box.vmin
                                                                            : input.box.vmax;
     const double cosine = std::cos(v);

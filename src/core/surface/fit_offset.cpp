@@ -225,10 +225,11 @@ Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFac
             return OffsetSurface{to_geom(*spline), {0.0, 0.0}, proven, seen};
         share *= std::clamp(0.9 * tolerance / error, 0.3, 0.8);
     }
-    return refusal(Status::ToleranceNotReached,
-                   fmt::format("The offset surface could not be proven to be within {:.3g} mm (closest {:.3g} mm); loosen the "
-                               "tolerance or allow a higher degree.",
-                               tolerance, closest));
+    return refusal(
+        Status::ToleranceNotReached,
+        fmt::format("The offset surface could not be proven to be within {:.3g} mm (closest {:.3g} mm); loosen the "
+                    "tolerance or allow a higher degree.",
+                    tolerance, closest));
 }
 
 } // namespace laminate_offset

@@ -170,8 +170,9 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
         return face;
     const bool base_is_valid = BRepCheck_Analyzer(input.face).IsValid();
     return Failure{Status::InvalidResult, Stage::Topology,
-                   base_is_valid ? "The offset face did not pass its validity check; report this as a defect with the file."
-                                 : "The base face itself is not valid, and so its offset is not; repair the face first.",
+                   base_is_valid
+                       ? "The offset face did not pass its validity check; report this as a defect with the file."
+                       : "The base face itself is not valid, and so its offset is not; repair the face first.",
                    std::nullopt, std::nullopt};
 }
 

@@ -97,10 +97,11 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
         edge.surface_deviation = fitted->deviation;
     }
     else
-        return refusal(context, Status::EdgeToleranceNotReached, base,
-                       fmt::format("The edge curve at the reported place could not be brought within {:.3g} mm; loosen the "
-                                   "tolerance or repair the trimming curve.",
-                                   context.tolerance));
+        return refusal(
+            context, Status::EdgeToleranceNotReached, base,
+            fmt::format("The edge curve at the reported place could not be brought within {:.3g} mm; loosen the "
+                        "tolerance or repair the trimming curve.",
+                        context.tolerance));
     edge.sampled_error = error_of_edge(context, base, edge.curve);
     return edge;
 }

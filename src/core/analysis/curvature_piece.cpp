@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curvature_piece.h"
+
+#include "curvature.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// Relative inflation of the fine bound for rounding: its products have some 10^3 terms.
+constexpr double rounding = 1e-11;
+
+const std::pair<double, double> unbounded{-infinity, infinity};
+
+//! Farthest coefficient from a point: a bound of the spread of the values.
+double spread(const Bernstein3 &a, const Eigen::Vector3d &point)
+{
+    double largest = 0.0;
+    for (int i = 0; i <= a[0].degree_u(); ++i)
+        for (int j = 0; j <= a[0].degree_v(); ++j)
+        {
+            const Eigen::Vector3d c(a[0].coefficient(i, j), a[1].coefficient(i, j), a[2].coefficient(i, j));
+            largest = std::max(largest, (c - point).squaredNorm());
+        }
+    return std::sqrt(largest);
+}
+
+//! Range of a.n over the coefficients.
+Bernstein::Range along(const Bernstein3 &a, const Eigen::Vector3d &n)
+{
+    Bernstein::Range range{infinity, -infinity};
+    for (int i = 0; i <= a[0].degree_u(); ++i)
+        for (int j = 0; j <= a[0].degree_v(); ++j)
+        {
+            const double c =
+                a[0].coefficient(i, j) * n.x() + a[1].coefficient(i, j) * n.y() + a[2].coefficient(i, j) * n.z();
+            range.low = std::min(range.low, c);
+            range.high = std::max(range.high, c);
+        }
+    return range;
+}
+
+struct Interval
+{
+    double low = 0.0;
+    double high = 0.0;
+
+    friend Interval operator+(const Interval &a, const Interval &b) { return {a.low + b.low, a.high + b.high}; }
+    friend Interval operator*(double s, const Interval &a)
+    {
+        return s >= 0.0 ? Interval{s * a.low, s * a.high} : Interval{s * a.high, s * a.low};
+    }
+    [[nodiscard]] Interval widened(double by) const { return {low - by, high + by}; }
+    [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
+//! x / omega for omega between two positive weights.
+Interval divided(const Bernstein::Range &x, const Bernstein::Range &omega)
+{
+    return {x.low / (x.low < 0.0 ? omega.low : omega.high), x.high / (x.high < 0.0 ? omega.high : omega.low)};
+}
+
+//! Eigenvalue bounds of a symmetric matrix of intervals.
+std::pair<double, double> eigenvalues(const Interval &l, const Interval &m, const Interval &n)
+{
+    const double half = std::max(std::abs(l.high - n.low), std::abs(n.high - l.low)) / 2.0;
+    const double off = std::hypot(half, m.size());
+    return {0.5 * (l.low + n.low) - off, 0.5 * (l.high + n.high) + off};
+}
+
+//! Generalised eigenvalues of (II, J): roots of det(II - k J) = 0 for positive definite J.
+std::pair<double, double> pencil(const std::array<double, 3> &ii, const std::array<double, 3> &j)
+{
+    const double det = j[0] * j[2] - j[1] * j[1];
+    if (!(j[0] > 0.0) || !(det > 1e-12 * j[0] * j[2]))
+        return unbounded;
+    // frame in which J is the identity, by Cholesky
+    const double a = std::sqrt(j[0]);
+    const double b = j[1] / a;
+    const double c = std::sqrt(j[2] - b * b);
+    const double l = ii[0] / (a * a);
+    const double m = (ii[1] - b / a * ii[0]) / (a * c);
+    const double n = (ii[2] - 2.0 * b / a * ii[1] + b * b / (a * a) * ii[0]) / (c * c);
+    const double off = std::hypot(0.5 * (l - n), m);
+    return {0.5 * (l + n) - off, 0.5 * (l + n) + off};
+}
+
+} // namespace
+
+void CurvaturePieceBounder::move_to_centre(const RationalPiece &piece)
+{
+    m_piece = piece;
+    const Eigen::Vector3d point = piece.centre();
+    for (int e = 0; e < 3; ++e)
+        m_piece.numerator[static_cast<std::size_t>(e)].add_raised(-point[e], piece.omega);
+}
+
+void CurvaturePieceBounder::differentiate(const RationalPiece &piece)
+{
+    move_to_centre(piece);
+    const auto along_u = [](const Bernstein3 &a, const Bernstein &w, Derivative &d) {
+        for (std::size_t e = 0; e < 3; ++e)
+            d.numerator[e].assign_derivative_u(a[e]);
+        d.omega.assign_derivative_u(w);
+    };
+    const auto along_v = [](const Bernstein3 &a, const Bernstein &w, Derivative &d) {
+        for (std::size_t e = 0; e < 3; ++e)
+            d.numerator[e].assign_derivative_v(a[e]);
+        d.omega.assign_derivative_v(w);
+    };
+    along_u(m_piece.numerator, m_piece.omega, m_u);
+    along_v(m_piece.numerator, m_piece.omega, m_v);
+    along_u(m_u.numerator, m_u.omega, m_uu);
+    along_v(m_u.numerator, m_u.omega, m_uv);
+    along_v(m_v.numerator, m_v.omega, m_vv);
+}
+
+std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre(const RationalPiece &piece)
+{
+    differentiate(piece);
+    const double w = m_piece.omega.centre();
+    SurfaceJet jet;
+    jet.s.setZero();
+    jet.u = centre(m_u.numerator) / w;
+    jet.v = centre(m_v.numerator) / w;
+    jet.uu = (centre(m_uu.numerator) - 2.0 * m_u.omega.centre() * jet.u) / w;
+    jet.uv = (centre(m_uv.numerator) - m_u.omega.centre() * jet.v - m_v.omega.centre() * jet.u) / w;
+    jet.vv = (centre(m_vv.numerator) - 2.0 * m_v.omega.centre() * jet.v) / w;
+    return principal_curvatures(jet);
+}
+
+bool CurvaturePieceBounder::longer_in_u(const RationalPiece &piece)
+{
+    differentiate(piece);
+    return centre(m_u.numerator).squaredNorm() >= centre(m_v.numerator).squaredNorm();
+}
+
+std::pair<double, double> CurvaturePieceBounder::rough(const RationalPiece &piece)
+{
+    differentiate(piece);
+    const Bernstein::Range omega = m_piece.omega.range();
+    if (omega.low <= 0.0)
+        return unbounded;
+    const double w = m_piece.omega.centre();
+    const Eigen::Vector3d su = centre(m_u.numerator) / w;
+    const Eigen::Vector3d sv = centre(m_v.numerator) / w;
+    const Eigen::Vector3d cross = su.cross(sv);
+    const double lu = su.norm();
+    if (!(cross.norm() > 1e-9 * lu * sv.norm()))
+        return unbounded;
+    const Eigen::Vector3d n0 = cross.normalized();
+    // T1 = x S_u, T2 = y S_u + z S_v are orthonormal at the centre
+    const double x = 1.0 / lu;
+    const double z = lu / cross.norm();
+    const double y = -z * su.dot(sv) / (lu * lu);
+    const double weight_spread = std::max(1.0 / omega.low - 1.0 / w, 1.0 / w - 1.0 / omega.high);
+    const double reach = longest(m_piece.numerator) / omega.low;
+    const double height = along(m_piece.numerator, n0).size() / omega.low;
+    const auto first_spread = [&](const Derivative &d, const Eigen::Vector3d &at) {
+        return spread(d.numerator, at * w) / w + longest(d.numerator) * weight_spread +
+               reach * d.omega.range().size() / omega.low;
+    };
+    const auto first_height = [&](const Derivative &d) {
+        return (along(d.numerator, n0).size() + height * d.omega.range().size()) / omega.low;
+    };
+    const double ru = first_spread(m_u, su);
+    const double rv = first_spread(m_v, sv);
+    const double rho = std::hypot(x * ru, std::abs(y) * ru + z * rv);
+    if (rho >= 0.9)
+        return unbounded;
+    const double hu = first_height(m_u);
+    const double hv = first_height(m_v);
+    const double tilt = std::hypot(x * hu, std::abs(y) * hu + z * hv) / (1.0 - rho);
+    // S_ab . n, from S_ab = (P_ab - omega_a S_b - omega_b S_a - omega_ab S) / omega
+    const auto second = [&](const Derivative &d, double wa, double wb, double sa, double sb, double ha, double hb) {
+        const double wab = d.omega.range().size();
+        const double flat = (wa * hb + wb * ha + wab * height) / omega.low;
+        const double size = (longest(d.numerator) + wa * sb + wb * sa + wab * reach) / omega.low;
+        return divided(along(d.numerator, n0), omega).widened(flat + size * tilt);
+    };
+    const double wu = m_u.omega.range().size();
+    const double wv = m_v.omega.range().size();
+    const double size_u = su.norm() + ru;
+    const double size_v = sv.norm() + rv;
+    const Interval uu = second(m_uu, wu, wu, size_u, size_u, hu, hu);
+    const Interval uv = second(m_uv, wu, wv, size_u, size_v, hu, hv);
+    const Interval vv = second(m_vv, wv, wv, size_v, size_v, hv, hv);
+    const std::pair<double, double> k =
+        eigenvalues(x * x * uu, x * y * uu + x * z * uv, y * y * uu + 2.0 * y * z * uv + z * z * vv);
+    const double narrow = (1.0 - rho) * (1.0 - rho);
+    const double wide = (1.0 + rho) * (1.0 + rho);
+    return {k.first / (k.first < 0.0 ? narrow : wide), k.second / (k.second > 0.0 ? narrow : wide)};
+}
+
+//! omega^3 S_u x S_v = omega P_u x P_v + omega_v P x P_u + omega_u P_v x P
+void CurvaturePieceBounder::find_normal()
+{
+    assign_cross(m_u.numerator, m_v.numerator, m_normal);
+    if (!m_piece.rational())
+        return;
+    const auto add_term = [&](const Bernstein3 &a, const Bernstein3 &b, const Bernstein &weight) {
+        assign_cross(a, b, m_vector);
+        for (std::size_t e = 0; e < 3; ++e)
+        {
+            assign_product(m_vector[e], weight, m_scalar);
+            m_normal[e].add_raised(1.0, m_scalar);
+        }
+    };
+    m_vector = m_normal;
+    for (std::size_t e = 0; e < 3; ++e)
+        assign_product(m_vector[e], m_piece.omega, m_normal[e]);
+    add_term(m_piece.numerator, m_u.numerator, m_v.omega);
+    add_term(m_v.numerator, m_piece.numerator, m_u.omega);
+}
+
+//! M . n0 with n0 the direction of M at the centre; at most |M|.
+void CurvaturePieceBounder::find_height()
+{
+    const Eigen::Vector3d n0 = centre(m_normal).normalized();
+    m_height.reset(m_normal[0].degree_u(), m_normal[0].degree_v());
+    for (int e = 0; e < 3; ++e)
+        m_height.add_raised(n0[e], m_normal[static_cast<std::size_t>(e)]);
+}
+
+//! (omega^2 S_a) . (omega^2 S_b) (M . n0)
+void CurvaturePieceBounder::weighted_first(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out)
+{
+    assign_dot(a, b, m_scalar);
+    assign_product(m_scalar, m_height, out);
+}
+
+//! omega^2 (omega P_ab - omega_ab P) . M, which is omega^4 S_ab . M
+void CurvaturePieceBounder::weighted_second(const Derivative &d, Bernstein &out)
+{
+    if (!m_piece.rational())
+        return assign_dot(d.numerator, m_normal, out);
+    assign_dot(d.numerator, m_normal, m_scalar);
+    Bernstein product;
+    assign_product(m_scalar, m_piece.omega, product);
+    assign_dot(m_piece.numerator, m_normal, m_scalar);
+    Bernstein weight_part;
+    assign_product(m_scalar, d.omega, weight_part);
+    Bernstein sum(std::max(product.degree_u(), weight_part.degree_u()),
+                  std::max(product.degree_v(), weight_part.degree_v()));
+    sum.add_raised(1.0, product);
+    sum.add_raised(-1.0, weight_part);
+    assign_product(sum, m_square, out);
+}
+
+std::pair<double, double> CurvaturePieceBounder::fine(const RationalPiece &piece)
+{
+    differentiate(piece);
+    find_normal();
+    find_height();
+    const auto tangent = [&](const Derivative &d, Bernstein3 &out) {
+        for (std::size_t e = 0; e < 3; ++e)
+        {
+            if (!m_piece.rational())
+            {
+                out[e] = d.numerator[e];
+                continue;
+            }
+            Bernstein first;
+            Bernstein second;
+            assign_product(d.numerator[e], m_piece.omega, first);
+            assign_product(m_piece.numerator[e], d.omega, second);
+            out[e].reset(std::max(first.degree_u(), second.degree_u()), std::max(first.degree_v(), second.degree_v()));
+            out[e].add_raised(1.0, first);
+            out[e].add_raised(-1.0, second);
+        }
+    };
+    tangent(m_u, m_qu);
+    tangent(m_v, m_qv);
+    assign_product(m_piece.omega, m_piece.omega, m_square);
+    weighted_first(m_qu, m_qu, m_first[0]);
+    weighted_first(m_qu, m_qv, m_first[1]);
+    weighted_first(m_qv, m_qv, m_first[2]);
+    weighted_second(m_uu, m_second[0]);
+    weighted_second(m_uv, m_second[1]);
+    weighted_second(m_vv, m_second[2]);
+    return widest_pencil();
+}
+
+//! The most extreme eigenvalues over all coefficients, which have to be of one degree.
+std::pair<double, double> CurvaturePieceBounder::widest_pencil()
+{
+    int m = 0;
+    int n = 0;
+    for (const auto *form : {&m_first, &m_second})
+        for (const Bernstein &entry : *form)
+        {
+            m = std::max(m, entry.degree_u());
+            n = std::max(n, entry.degree_v());
+        }
+    for (auto *form : {&m_first, &m_second})
+        for (Bernstein &entry : *form)
+        {
+            if (entry.degree_u() == m && entry.degree_v() == n)
+                continue;
+            m_scalar = entry;
+            entry.reset(m, n);
+            entry.add_raised(1.0, m_scalar);
+        }
+    std::pair<double, double> widest{0.0, 0.0};
+    for (int i = 0; i <= m; ++i)
+        for (int j = 0; j <= n; ++j)
+        {
+            // the binomials of a scaled coefficient cancel in the quotient
+            const auto at = [&](const std::array<Bernstein, 3> &form) {
+                return std::array{form[0].scaled(i, j), form[1].scaled(i, j), form[2].scaled(i, j)};
+            };
+            const std::pair<double, double> k = pencil(at(m_second), at(m_first));
+            const double slack = rounding * std::max(std::abs(k.first), std::abs(k.second));
+            widest = {std::min(widest.first, k.first - slack), std::max(widest.second, k.second + slack)};
+        }
+    return widest;
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Bounds of the principal curvatures of one Bernstein piece (the mathematics is in curvature.h).
+#pragma once
+
+#include "../spline/spline_pieces.h"
+
+#include <optional>
+#include <utility>
+
+namespace laminate_offset
+{
+
+//! Keeps the workspace of the bounds; one bounder serves one thread. Curvatures are pairs (lower bound of
+//! the smaller one, upper bound of the larger one); infinite where a piece cannot be bounded.
+class CurvaturePieceBounder
+{
+public:
+    //! From the spread of the derivatives over the piece: cheap, closes in linearly.
+    std::pair<double, double> rough(const RationalPiece &piece);
+
+    //! From the fundamental forms in Bernstein form: closes in quadratically.
+    std::pair<double, double> fine(const RationalPiece &piece);
+
+    //! The curvatures at the piece's centre.
+    std::optional<std::pair<double, double>> at_centre(const RationalPiece &piece);
+
+    //! Is the piece longer along u than along v, at its centre?
+    bool longer_in_u(const RationalPiece &piece);
+
+private:
+    struct Derivative
+    {
+        Bernstein3 numerator;
+        Bernstein omega;
+    };
+
+    void differentiate(const RationalPiece &piece);
+    void move_to_centre(const RationalPiece &piece);
+    void find_normal();
+    void find_height();
+    void weighted_first(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out);
+    void weighted_second(const Derivative &d, Bernstein &out);
+    std::pair<double, double> widest_pencil();
+
+    RationalPiece m_piece; //!< relative to the point at its centre
+    Derivative m_u, m_v, m_uu, m_uv, m_vv;
+    Bernstein3 m_qu, m_qv, m_normal, m_vector;
+    Bernstein m_height, m_square, m_scalar;
+    std::array<Bernstein, 3> m_first, m_second; //!< uu, uv, vv
+};
+
+} // namespace laminate_offset
