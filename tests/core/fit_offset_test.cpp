@@ -4,6 +4,9 @@
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
+#include <GeomConvert.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <laminate_offset/offset_face.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -108,6 +111,12 @@ Handle(Geom_BSplineSurface) wavy_tube(double radius)
     mv.Init(1);
     mv(1) = mv(v.Length()) = 4;
     return new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3, true, false);
+}
+
+Handle(Geom_BSplineSurface) ball(double u1, double v0, double v1, double radius = 50.0)
+{
+    return GeomConvert::SurfaceToBSplineSurface(
+        new Geom_RectangularTrimmedSurface(new Geom_SphericalSurface(gp_Ax3(), radius), 0.0, u1, v0, v1));
 }
 
 TopoDS_Face dome()
@@ -334,4 +343,27 @@ TEST(FittedOffset, IsTheSameEachTime)
     for (int i = 1; i <= a->NbUPoles(); ++i)
         for (int j = 1; j <= a->NbVPoles(); ++j)
             EXPECT_EQ(a->Pole(i, j).Distance(b->Pole(i, j)), 0.0);
+}
+
+TEST(FittedOffset, OfSplineSpheresWithAPole)
+{
+    // the exact answer is known: the concentric sphere
+    for (const auto &surface : {ball(0.5 * M_PI, 0.0, 0.5 * M_PI), ball(0.5 * M_PI, -0.5 * M_PI, 0.0),
+                                ball(1.9 * M_PI, -0.5 * M_PI, 0.5 * M_PI)})
+        for (const double distance : {20.0, -20.0})
+        {
+            const TopoDS_Face face = whole(surface);
+            const auto result = offset(face, distance, 1e-3);
+            ASSERT_TRUE(result.ok()) << result.failure().message;
+            const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+            double u0, u1, v0, v1, worst = 0.0;
+            BRepTools::UVBounds(face, u0, u1, v0, v1);
+            for (int i = 0; i <= 60; ++i)
+                for (int j = 0; j <= 60; ++j)
+                {
+                    const gp_Pnt p = made->Value(u0 + (u1 - u0) * i / 60, v0 + (v1 - v0) * j / 60);
+                    worst = std::max(worst, std::abs(p.Distance(gp_Pnt()) - (50.0 + distance)));
+                }
+            EXPECT_LE(worst, 1e-3);
+        }
 }

@@ -16,10 +16,13 @@ namespace
 
 // Pieces this many halvings deep that still have no bound lie at a pole, where they count as sampled.
 constexpr int deepest_singular_piece = 10;
-constexpr int deepest_piece = 40;
+// Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
+constexpr double smallest_piece = 1e-5;
 constexpr int most_steps = 4000;
 // Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
 constexpr double singular_sine = 1e-8;
+// Curvature times extent below which a limit is of no interest.
+constexpr double irrelevant_curvature = 1e-2;
 constexpr int samples_per_interval = 4;
 constexpr int least_samples = 48;
 
@@ -49,7 +52,8 @@ struct SideGoal
     double sign = 1.0;
     double threshold = 0.0; //!< turned curvature that has to be decided, 0 for none
     double gap = 1e-3;
-    double floor = 0.0; //!< turned curvature below which nothing matters
+    double floor = 0.0;      //!< turned curvature below which nothing matters
+    double resolution = 0.0; //!< length [mm] below which curvature is rounding
 };
 
 //! Best-first search for one side's extreme.
@@ -58,7 +62,7 @@ class SideSearch
 public:
     SideSearch(const LoopRegion &region, const SideGoal &goal, const Best &start)
         : m_region(region), m_sign(goal.sign), m_threshold(goal.threshold), m_gap(goal.gap), m_floor(goal.floor),
-          m_best(start)
+          m_best(start), m_bounder(goal.resolution)
     {
     }
 
@@ -88,7 +92,8 @@ public:
             m_queue.pop();
             if (!node.fine)
                 refine(node);
-            else if (node.depth < (std::isfinite(node.bound) ? deepest_piece : deepest_singular_piece))
+            else if (!m_bounder.below_resolution(node.piece) &&
+                     (std::isfinite(node.bound) || node.depth < deepest_singular_piece))
                 split(node);
             else
                 complete = false; // its centre has been probed
@@ -219,19 +224,21 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
     return std::pair{mean - spread, mean + spread};
 }
 
-CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, double distance, double gap,
-                                     double floor)
+CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, const CurvatureSearch &search)
 {
     const std::pair<Best, Best> start = sampled_extremes(base, region, !base.spline());
     if (!base.spline())
         return {{-start.first.value, -start.first.value, start.first.uv, true},
                 {start.second.value, start.second.value, start.second.uv, true}};
-    SideSearch lowest(region, {-1.0, distance < 0.0 ? -1.0 / distance : 0.0, gap, floor}, start.first);
-    SideSearch highest(region, {1.0, distance > 0.0 ? 1.0 / distance : 0.0, gap, floor}, start.second);
+    const double floor = irrelevant_curvature / search.extent;
+    const double resolution = smallest_piece * search.extent;
+    const double threshold = search.distance == 0.0 ? 0.0 : 1.0 / search.distance;
+    SideSearch lowest(region, {-1.0, std::max(0.0, -threshold), search.gap, floor, resolution}, start.first);
+    SideSearch highest(region, {1.0, std::max(0.0, threshold), search.gap, floor, resolution}, start.second);
     const std::vector<double> us = base.spline()->u.breaks();
     const std::vector<double> vs = base.spline()->v.breaks();
     SplinePieces pieces(*base.spline(), us, vs);
-    CurvaturePieceBounder bounder;
+    CurvaturePieceBounder bounder(resolution);
     RationalPiece piece;
     const auto each_piece = [&](const auto &visit) {
         for (std::size_t i = 0; i + 1 < us.size(); ++i)

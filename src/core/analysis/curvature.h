@@ -40,11 +40,16 @@ struct CurvatureExtremes
 //! if the parameters are scaled so that each runs over a range of about 1.
 std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &jet);
 
+//! What to search for.
+struct CurvatureSearch
+{
+    double distance = 0.0; //!< [mm] along S_u x S_v: the search for that side's extreme goes on until it is
+                           //!< decided whether 1 / distance lies beyond it; 0 for none
+    double gap = 1e-3;     //!< relative width between proven and attained at which a search ends
+    double extent = 1.0;   //!< [mm] size of the face; radii above a hundred extents are not pinned down
+};
+
 //! Branch and bound over the pieces that the loops touch.
-//! \param distance when not 0, the search for that side's extreme goes on until it is decided whether
-//! 1 / distance lies beyond it. Otherwise it ends when proven and attained agree to `gap` (relative), or
-//! the curvature is proven to be below `floor` [1/mm].
-CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, double distance, double gap,
-                                     double floor);
+CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, const CurvatureSearch &search);
 
 } // namespace laminate_offset

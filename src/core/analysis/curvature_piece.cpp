@@ -129,10 +129,20 @@ std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre(const 
     jet.s.setZero();
     jet.u = centre(m_u.numerator) / w;
     jet.v = centre(m_v.numerator) / w;
+    if (std::min(jet.u.norm(), jet.v.norm()) < m_resolution)
+        return std::nullopt;
     jet.uu = (centre(m_uu.numerator) - 2.0 * m_u.omega.centre() * jet.u) / w;
     jet.uv = (centre(m_uv.numerator) - m_u.omega.centre() * jet.v - m_v.omega.centre() * jet.u) / w;
     jet.vv = (centre(m_vv.numerator) - 2.0 * m_v.omega.centre() * jet.v) / w;
     return principal_curvatures(jet);
+}
+
+bool CurvaturePieceBounder::below_resolution(const RationalPiece &piece)
+{
+    differentiate(piece);
+    const double shorter =
+        std::sqrt(std::min(centre(m_u.numerator).squaredNorm(), centre(m_v.numerator).squaredNorm()));
+    return shorter / m_piece.omega.centre() < m_resolution;
 }
 
 bool CurvaturePieceBounder::longer_in_u(const RationalPiece &piece)

@@ -16,14 +16,21 @@ namespace laminate_offset
 class CurvaturePieceBounder
 {
 public:
+    //! \param resolution length [mm] below which the differences of poles are rounding.
+    explicit CurvaturePieceBounder(double resolution) : m_resolution(resolution) {}
+
     //! From the spread of the derivatives over the piece: cheap, closes in linearly.
     std::pair<double, double> rough(const RationalPiece &piece);
 
     //! From the fundamental forms in Bernstein form: closes in quadratically.
     std::pair<double, double> fine(const RationalPiece &piece);
 
-    //! The curvatures at the piece's centre.
+    //! The curvatures at the piece's centre. Nothing for a piece below the resolution, where rounding
+    //! of the poles shows in second derivatives.
     std::optional<std::pair<double, double>> at_centre(const RationalPiece &piece);
+
+    //! Is the piece too small, in either direction, to tell its curvature from rounding?
+    bool below_resolution(const RationalPiece &piece);
 
     //! Is the piece longer along u than along v, at its centre?
     bool longer_in_u(const RationalPiece &piece);
@@ -43,6 +50,7 @@ private:
     void weighted_second(const Derivative &d, Bernstein &out);
     std::pair<double, double> widest_pencil();
 
+    double m_resolution;
     RationalPiece m_piece; //!< relative to the point at its centre
     Derivative m_u, m_v, m_uu, m_uv, m_vv;
     Bernstein3 m_qu, m_qv, m_normal, m_vector;

@@ -20,8 +20,6 @@ constexpr double crease_step = 1e-8;
 constexpr int crease_probes = 33;
 // Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
 constexpr double flat_curvature = 1e-9;
-// Radii above a hundred diagonals are not pinned down any closer.
-constexpr double irrelevant_curvature = 1e-2;
 // Relative width between what is proven and what is attained at which the search for a limit ends.
 constexpr double limit_gap = 1e-3;
 
@@ -97,8 +95,7 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
     const LoopRegion &region = analysis.region;
     if (const auto smooth = check_creases(analysis.base, input, region, distance, tolerance); !smooth)
         return smooth.failure();
-    const double floor = irrelevant_curvature / input.diagonal;
-    const CurvatureExtremes extremes = curvature_extremes(analysis.base, region, distance, limit_gap, floor);
+    const CurvatureExtremes extremes = curvature_extremes(analysis.base, region, {distance, limit_gap, input.diagonal});
     const double flat = flat_curvature / input.diagonal;
     const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
         if (std::abs(k.proven) <= flat)
