@@ -3,7 +3,7 @@
 //! The inside of the trimming loops as a set of parameters.
 #pragma once
 
-#include "../input/input_face.h"
+#include "../input/pcurve_pieces.h"
 
 #include <vector>
 
@@ -29,14 +29,7 @@ public:
     [[nodiscard]] std::vector<gp_Pnt2d> boundary_points() const;
 
 private:
-    struct Piece
-    {
-        gp_Pnt2d start;
-        gp_Pnt2d end;
-        ParameterBox box;
-    };
-
-    std::vector<Piece> m_pieces;
+    std::vector<PcurvePiece> m_pieces;
 };
 
 } // namespace laminate_offset

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "input_face.h"
 
+#include "pcurve_pieces.h"
+
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box.hxx>
-#include <Bnd_Box2d.hxx>
 #include <GProp_GProps.hxx>
-#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -182,12 +181,14 @@ Result<TrimmingLoop> read_loop(const TopoDS_Wire &wire, const InputFace &input)
 
 ParameterBox box_of(const std::vector<TrimmingLoop> &loops)
 {
-    Bnd_Box2d all;
+    std::vector<PcurvePiece> pieces;
     for (const TrimmingLoop &loop : loops)
         for (const TrimmingCurve &curve : loop.curves)
-            BndLib_Add2dCurve::AddOptimal(curve.pcurve, curve.first, curve.last, 0.0, all);
-    ParameterBox box;
-    all.Get(box.umin, box.vmin, box.umax, box.vmax);
+            add_pieces(curve, pieces);
+    ParameterBox box = pieces.front().box;
+    for (const PcurvePiece &piece : pieces)
+        box = {std::min(box.umin, piece.box.umin), std::max(box.umax, piece.box.umax),
+               std::min(box.vmin, piece.box.vmin), std::max(box.vmax, piece.box.vmax)};
     return box;
 }
 
@@ -230,7 +231,7 @@ double largest_tolerance(const TopoDS_Face &face)
 Result<bool> measure(InputFace &input)
 {
     Bnd_Box space;
-    BRepBndLib::AddOptimal(input.face, space, false, false);
+    BRepBndLib::Add(input.face, space, false);
     if (space.IsVoid() || space.IsOpen())
         return refusal(Status::UnboundedFace,
                        "The face has no finite extent; trim the surface to a finite face first.");
