@@ -21,7 +21,7 @@ constexpr int crease_probes = 33;
 // Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
 constexpr double flat_curvature = 1e-9;
 // Relative width between what is proven and what is attained at which the search for a limit ends.
-constexpr double limit_gap = 1e-3;
+constexpr double limit_gap = 5e-3;
 
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {

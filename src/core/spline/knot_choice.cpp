@@ -12,15 +12,20 @@ namespace laminate_offset
 namespace
 {
 
-// Samples in an interval: more than the poles that degree 7 can place there.
-constexpr int samples_per_interval = 10;
+// Samples of an interval between breaks at first; spans of the knots get degree + 3 when they need them.
+constexpr int least_per_interval = 3;
 constexpr int least_samples = 60;
+constexpr int spare_samples = 3;
 // Part of the tolerance that the compression of the rows may use up.
 constexpr double compression_share = 0.02;
 // Spans are not halved below this part of the whole range.
 constexpr double smallest_span = 1e-5;
 // So many of the lowest-ranked knots are tried one by one before the rest is believed to be needed.
 constexpr int last_tries = 4;
+// The middle degrees win most often, and what they reach cuts the others short.
+constexpr int degree_order[] = {4, 5, 3, 6, 7, 2, 1};
+// A refined fit of this many times the best pole count is not worth thinning out.
+constexpr int worth_thinning = 2;
 
 class SampledData
 {
@@ -32,14 +37,15 @@ public:
             breaks.push_back(b.parameter);
         breaks.push_back(problem.high);
         const int intervals = static_cast<int>(breaks.size()) - 1;
-        take(breaks, std::max(samples_per_interval, (least_samples + intervals - 1) / intervals));
+        m_breaks = breaks;
+        take(chebyshev_parameters(breaks, std::max(least_per_interval, (least_samples + intervals - 1) / intervals)));
     }
 
     //! Takes new samples so dense that every span of the knots holds enough of them.
     void densify(const KnotVector &kv)
     {
         m_breaks = merged_breaks(m_breaks, kv.breaks());
-        take(m_breaks, samples_per_interval);
+        take(span_parameters(kv, m_breaks, kv.degree + 1 + spare_samples, least_per_interval));
     }
 
     //! Does every span hold more samples than the degree?
@@ -61,10 +67,9 @@ public:
     [[nodiscard]] const CompressedRows &rows() const { return m_rows; }
 
 private:
-    void take(const std::vector<double> &breaks, int count)
+    void take(std::vector<double> parameters)
     {
-        m_breaks = breaks;
-        m_parameters = chebyshev_parameters(breaks, count);
+        m_parameters = std::move(parameters);
         m_rows = compress(m_problem.sample(m_parameters), compression_share * m_problem.tolerance);
     }
 
@@ -87,8 +92,9 @@ struct Trial
 class DegreeSearch
 {
 public:
-    DegreeSearch(const KnotProblem &problem, SampledData &data, int degree)
-        : m_problem(problem), m_data(data), m_degree(degree)
+    //! \param most_poles the search is given up above so many.
+    DegreeSearch(const KnotProblem &problem, SampledData &data, int degree, int most_poles)
+        : m_problem(problem), m_data(data), m_degree(degree), m_most_poles(most_poles)
     {
     }
 
@@ -116,39 +122,82 @@ private:
         return trial;
     }
 
+    [[nodiscard]] int full_multiplicity(const DataBreak &b) const
+    {
+        return std::clamp(m_degree - b.continuity, 0, m_degree);
+    }
+
+    //! Multiplicity below which a knot must not fall.
+    [[nodiscard]] int required_multiplicity(double parameter) const
+    {
+        for (const DataBreak &b : m_problem.required)
+            if (b.parameter == parameter)
+                return full_multiplicity(b);
+        return 0;
+    }
+
     [[nodiscard]] std::vector<double> starting_knots() const
     {
         std::vector<double> interior;
-        for (const DataBreak &b : m_problem.breaks)
-            interior.insert(interior.end(), static_cast<std::size_t>(std::clamp(m_degree - b.continuity, 0, m_degree)),
-                            b.parameter);
+        for (const DataBreak &b : m_problem.required)
+            interior.insert(interior.end(), static_cast<std::size_t>(full_multiplicity(b)), b.parameter);
         return interior;
     }
 
-    //! The middles of the spans that hold a sample out of tolerance.
-    [[nodiscard]] std::vector<double> middles_of_failing_spans(const Trial &trial) const
+    //! Raises the knot at a break to the multiplicity that the data needs; false if it has it already.
+    bool raise(const Trial &trial, double parameter, std::vector<double> &added) const
     {
-        std::vector<double> middles;
+        const auto b = std::lower_bound(m_problem.breaks.begin(), m_problem.breaks.end(), parameter,
+                                        [](const DataBreak &x, double t) { return x.parameter < t; });
+        if (b == m_problem.breaks.end() || b->parameter != parameter)
+            return false;
+        const auto here = std::equal_range(trial.interior.begin(), trial.interior.end(), parameter);
+        const auto planned = std::count(added.begin(), added.end(), parameter);
+        const auto missing = full_multiplicity(*b) - (here.second - here.first) - planned;
+        added.insert(added.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, missing)), parameter);
+        return missing > 0 || planned > 0;
+    }
+
+    //! What a failing span [a, b] gets: see choose_knots.
+    void relieve(const Trial &trial, double a, double b, std::vector<double> &added) const
+    {
+        const double middle = 0.5 * (a + b);
+        const double nothing = m_problem.low - 1.0;
+        double nearest = nothing;
+        for (const DataBreak &br : m_problem.breaks)
+            if (br.parameter > a && br.parameter < b && full_multiplicity(br) > 0 &&
+                (nearest == nothing || std::abs(br.parameter - middle) < std::abs(nearest - middle)))
+                nearest = br.parameter;
+        if (nearest != nothing)
+            return added.push_back(nearest);
+        const bool left = raise(trial, a, added);
+        const bool right = raise(trial, b, added);
+        if (!left && !right && b - a > smallest_span * (m_problem.high - m_problem.low))
+            added.push_back(middle);
+    }
+
+    [[nodiscard]] std::vector<double> relief(const Trial &trial) const
+    {
+        std::vector<double> added;
         int last = -1;
         for (std::size_t i = 0; i < trial.errors.size(); ++i)
         {
             if (trial.errors[i] <= m_problem.tolerance)
                 continue;
             const int span = trial.knots.span(m_data.parameters()[i]);
-            const double a = trial.knots.knots[static_cast<std::size_t>(span)];
-            const double b = trial.knots.knots[static_cast<std::size_t>(span) + 1];
-            if (span != last && b - a > smallest_span * (m_problem.high - m_problem.low))
-                middles.push_back(0.5 * (a + b));
+            if (span != last)
+                relieve(trial, trial.knots.knots[static_cast<std::size_t>(span)],
+                        trial.knots.knots[static_cast<std::size_t>(span) + 1], added);
             last = span;
         }
-        return middles;
+        return added;
     }
 
-    //! Halves failing spans until the tolerance holds at every sample.
+    //! Adds knots until the tolerance holds at every sample.
     std::optional<Trial> refine()
     {
         std::vector<double> interior = starting_knots();
-        while (static_cast<int>(interior.size()) + m_degree + 1 <= m_problem.max_poles)
+        while (static_cast<int>(interior.size()) + m_degree + 1 <= m_most_poles)
         {
             const KnotVector kv = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
             if (!m_data.dense_enough(kv))
@@ -156,10 +205,10 @@ private:
             std::optional<Trial> trial = fit(interior);
             if (!trial || trial->error <= m_problem.tolerance)
                 return trial;
-            const std::vector<double> middles = middles_of_failing_spans(*trial);
-            if (middles.empty())
+            const std::vector<double> added = relief(*trial);
+            if (added.empty())
                 return std::nullopt;
-            interior.insert(interior.end(), middles.begin(), middles.end());
+            interior.insert(interior.end(), added.begin(), added.end());
             std::sort(interior.begin(), interior.end());
         }
         return std::nullopt;
@@ -204,9 +253,14 @@ private:
     [[nodiscard]] std::vector<Candidate> candidates(const Trial &trial) const
     {
         std::vector<Candidate> result;
+        int multiplicity = 0;
         for (std::size_t i = 0; i < trial.interior.size(); ++i)
-            if (i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i])
+        {
+            multiplicity = i > 0 && trial.interior[i - 1] == trial.interior[i] ? multiplicity + 1 : 1;
+            const bool last = i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i];
+            if (last && multiplicity > required_multiplicity(trial.interior[i]))
                 result.push_back({removal_weight(trial, static_cast<int>(i) + m_degree + 1), i});
+        }
         std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) { return a.weight < b.weight; });
         return result;
     }
@@ -253,6 +307,7 @@ private:
     const KnotProblem &m_problem;
     SampledData &m_data;
     int m_degree;
+    int m_most_poles;
 };
 
 } // namespace
@@ -261,15 +316,16 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
 {
     SampledData data(problem);
     std::optional<KnotChoice> best;
-    for (int degree = problem.min_degree; degree <= problem.max_degree; ++degree)
+    for (const int degree : degree_order)
     {
-        const std::optional<Trial> trial = DegreeSearch(problem, data, degree).run();
-        if (!trial)
+        if (degree < problem.min_degree || degree > problem.max_degree)
             continue;
-        const int poles = trial->knots.pole_count();
-        const bool fewer = !best || poles < best->knots.pole_count();
-        const bool closer = best && poles == best->knots.pole_count() && trial->error < best->error;
-        if (fewer || closer)
+        const int fewest = best ? best->knots.pole_count() : problem.max_poles;
+        if (degree + 1 >= fewest)
+            continue;
+        const int most = best ? std::min(problem.max_poles, worth_thinning * fewest) : problem.max_poles;
+        const std::optional<Trial> trial = DegreeSearch(problem, data, degree, most).run();
+        if (trial && trial->knots.pole_count() < fewest)
             best = KnotChoice{trial->knots, trial->error};
     }
     return best;
@@ -285,6 +341,29 @@ std::vector<double> chebyshev_parameters(const std::vector<double> &breaks, int 
             parameters.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * x);
         }
     parameters.push_back(breaks.back());
+    return parameters;
+}
+
+std::vector<double> span_parameters(const KnotVector &kv, const std::vector<double> &breaks, int per_span,
+                                    int per_interval)
+{
+    const std::vector<double> spans = kv.breaks();
+    const std::vector<double> all = merged_breaks(spans, breaks);
+    std::vector<double> parameters{all.front()};
+    std::size_t begin = 0;
+    for (std::size_t s = 1; s < spans.size(); ++s)
+    {
+        std::size_t end = begin;
+        while (end + 1 < all.size() && 0.5 * (all[end] + all[end + 1]) < spans[s])
+            ++end;
+        const int intervals = std::max(1, static_cast<int>(end - begin));
+        const int count = std::max(per_interval, (per_span + intervals - 1) / intervals);
+        for (std::size_t i = begin; i < end; ++i)
+            for (int k = 0; k < count; ++k)
+                parameters.push_back(all[i] + (all[i + 1] - all[i]) * 0.5 * (1.0 - std::cos(M_PI * (k + 0.5) / count)));
+        begin = end;
+    }
+    parameters.push_back(all.back());
     return parameters;
 }
 

@@ -28,9 +28,12 @@ struct KnotProblem
     //! Values at increasing parameters: one row a parameter, columns in triples (x, y, z of a curve).
     std::function<RowMatrix(const std::vector<double> &)> sample;
     double tolerance = 1e-3; //!< longest admissible point error
-    int min_degree = 3;
+    int min_degree = 1;
     int max_degree = 7;
     int max_poles = 4000;
+    //! Breaks at which the space must allow this continuity or less, whatever the data needs: the knots of
+    //! a weight function that has to lie in the space. min_degree is then at least its degree.
+    std::vector<DataBreak> required;
 };
 
 //! The chosen spline space and the largest error seen at the samples.
@@ -42,13 +45,20 @@ struct KnotChoice
 
 //! Chooses the degree and knots with the fewest poles (the lower error on a tie).
 //!
-//! For each degree: start from the breaks at the multiplicity that the data's continuity needs, halve
-//! the spans that fail, then remove knots in bisected batches ranked by the smallest change of the
-//! poles that removes one (after Lyche & Morken 1987).
+//! For each degree: spans that fail get a knot at the break nearest to their middle, then, when no break
+//! is left inside, the full multiplicity that the data's continuity needs at their ends, then a knot
+//! in the middle; afterwards knots are removed in bisected batches ranked by the smallest change of
+//! the poles that lets one go (after Lyche & Morken 1987). A base with many more knots than its shape
+//! needs is never fitted at full size this way. Degrees that cannot win any more are left early.
 //! \return nothing when no admissible degree reaches the tolerance.
 std::optional<KnotChoice> choose_knots(const KnotProblem &problem);
 
 //! Parameters with `count` Chebyshev points inside each interval between breaks, and both ends.
 std::vector<double> chebyshev_parameters(const std::vector<double> &breaks, int count);
+
+//! Parameters inside each interval of two merged lists of breaks, and both ends: at least `per_span` in
+//! every span of the knots and `per_interval` in every interval.
+std::vector<double> span_parameters(const KnotVector &kv, const std::vector<double> &breaks, int per_span,
+                                    int per_interval);
 
 } // namespace laminate_offset

@@ -20,9 +20,10 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.47;
 constexpr int most_rounds = 8;
-constexpr int rows_per_interval = 3;
+constexpr int rows_per_interval = 1;
 constexpr int least_rows = 12;
-constexpr int checks_per_span = 6;
+constexpr int spare_samples = 2;
+constexpr int checks_per_span = 9;
 
 std::vector<double> interval_ends(double low, double high, const std::vector<SmoothnessBreak> &breaks)
 {
@@ -91,7 +92,7 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
 {
     const ParameterBox &box = base.box();
     const auto parameters = [](const KnotVector &kv, const std::vector<double> &base_ends) {
-        return chebyshev_parameters(merged_breaks(kv.breaks(), base_ends), kv.degree + 2);
+        return span_parameters(kv, base_ends, kv.degree + 1 + spare_samples, 1);
     };
     const std::vector<double> us = parameters(u, interval_ends(box.umin, box.umax, base.breaks_u()));
     const std::vector<double> vs = parameters(v, interval_ends(box.vmin, box.vmax, base.breaks_v()));
@@ -122,15 +123,8 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
 double deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
 {
     const ParameterBox &box = base.box();
-    const auto uniform = [](const std::vector<double> &ends) {
-        std::vector<double> parameters{ends.front()};
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-            for (int k = 1; k <= checks_per_span; ++k)
-                parameters.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / checks_per_span);
-        return parameters;
-    };
-    const auto us = uniform(merged_breaks(spline.u.breaks(), interval_ends(box.umin, box.umax, base.breaks_u())));
-    const auto vs = uniform(merged_breaks(spline.v.breaks(), interval_ends(box.vmin, box.vmax, base.breaks_v())));
+    const auto us = span_parameters(spline.u, interval_ends(box.umin, box.umax, base.breaks_u()), checks_per_span, 1);
+    const auto vs = span_parameters(spline.v, interval_ends(box.vmin, box.vmax, base.breaks_v()), checks_per_span, 1);
     std::optional<gp_Pnt2d> singular;
     const std::vector<Eigen::Vector3d> exact = base.offset_grid(us, vs, distance, singular);
     if (singular)
