@@ -14,7 +14,7 @@ namespace laminate_offset
 namespace
 {
 
-// Pieces this many halvings deep that still have no bound lie at a pole, where they count as sampled.
+// Pieces this many halvings deep that have no bound or a collapsed side are sampled: what is left lies at a pole.
 constexpr int deepest_singular_piece = 10;
 // Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
 constexpr double smallest_piece = 1e-5;
@@ -93,7 +93,8 @@ public:
             if (!node.fine)
                 refine(node);
             else if (!m_bounder.below_resolution(node.piece) &&
-                     (std::isfinite(node.bound) || node.depth < deepest_singular_piece))
+                     (node.depth < deepest_singular_piece ||
+                      (std::isfinite(node.bound) && !CurvaturePieceBounder::has_collapsed_side(node.piece))))
                 split(node);
             else
                 complete = false; // its centre has been probed

@@ -16,6 +16,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Relative inflation of the fine bound for rounding: its products have some 10^3 terms.
 constexpr double rounding = 1e-11;
 
+// Length of a side against the piece below which it is a point.
+constexpr double collapsed_length = 1e-7;
+
 const std::pair<double, double> unbounded{-infinity, infinity};
 
 //! Farthest coefficient from a point: a bound of the spread of the values.
@@ -143,6 +146,26 @@ bool CurvaturePieceBounder::below_resolution(const RationalPiece &piece)
     const double shorter =
         std::sqrt(std::min(centre(m_u.numerator).squaredNorm(), centre(m_v.numerator).squaredNorm()));
     return shorter / m_piece.omega.centre() < m_resolution;
+}
+
+bool CurvaturePieceBounder::has_collapsed_side(const RationalPiece &piece)
+{
+    const int m = piece.numerator[0].degree_u();
+    const int n = piece.numerator[0].degree_v();
+    const auto point = [&](int i, int j) -> Eigen::Vector3d {
+        const double w = piece.rational() ? piece.omega.coefficient(i, j) : 1.0;
+        return Eigen::Vector3d(piece.numerator[0].coefficient(i, j), piece.numerator[1].coefficient(i, j),
+                               piece.numerator[2].coefficient(i, j)) /
+               w;
+    };
+    const double size = (point(0, 0) - point(m, n)).norm() + (point(m, 0) - point(0, n)).norm();
+    const auto collapsed = [&](int i0, int j0, int di, int dj, int count) {
+        for (int k = 1; k <= count; ++k)
+            if ((point(i0 + k * di, j0 + k * dj) - point(i0, j0)).norm() > collapsed_length * size)
+                return false;
+        return true;
+    };
+    return collapsed(0, 0, 1, 0, m) || collapsed(0, n, 1, 0, m) || collapsed(0, 0, 0, 1, n) || collapsed(m, 0, 0, 1, n);
 }
 
 bool CurvaturePieceBounder::longer_in_u(const RationalPiece &piece)

@@ -32,6 +32,9 @@ public:
     //! Is the piece too small, in either direction, to tell its curvature from rounding?
     bool below_resolution(const RationalPiece &piece);
 
+    //! Does a side of the piece come down to a point?
+    static bool has_collapsed_side(const RationalPiece &piece);
+
     //! Is the piece longer along u than along v, at its centre?
     bool longer_in_u(const RationalPiece &piece);
 

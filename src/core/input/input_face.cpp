@@ -3,7 +3,6 @@
 
 #include "pcurve_pieces.h"
 
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
@@ -179,12 +178,8 @@ Result<TrimmingLoop> read_loop(const TopoDS_Wire &wire, const InputFace &input)
     return loop;
 }
 
-ParameterBox box_of(const std::vector<TrimmingLoop> &loops)
+ParameterBox box_of(const std::vector<PcurvePiece> &pieces)
 {
-    std::vector<PcurvePiece> pieces;
-    for (const TrimmingLoop &loop : loops)
-        for (const TrimmingCurve &curve : loop.curves)
-            add_pieces(curve, pieces);
     ParameterBox box = pieces.front().box;
     for (const PcurvePiece &piece : pieces)
         box = {std::min(box.umin, piece.box.umin), std::max(box.umax, piece.box.umax),
@@ -228,17 +223,35 @@ double largest_tolerance(const TopoDS_Face &face)
     return tolerance;
 }
 
-Result<bool> measure(InputFace &input)
+//! Diagonal of the box of points on the loops and on a grid between them.
+double extent_of(const InputFace &input, const std::vector<PcurvePiece> &pieces)
 {
     Bnd_Box space;
-    BRepBndLib::Add(input.face, space, false);
-    if (space.IsVoid() || space.IsOpen())
-        return refusal(Status::UnboundedFace,
-                       "The face has no finite extent; trim the surface to a finite face first.");
-    input.diagonal = std::sqrt(space.SquareExtent());
+    for (const PcurvePiece &piece : pieces)
+    {
+        space.Add(input.surface->Value(piece.start.X(), piece.start.Y()));
+        space.Add(
+            input.surface->Value(0.5 * (piece.start.X() + piece.end.X()), 0.5 * (piece.start.Y() + piece.end.Y())));
+    }
+    constexpr int grid = 4;
+    const ParameterBox &box = input.box;
+    for (int i = 1; i < grid; ++i)
+        for (int j = 1; j < grid; ++j)
+            space.Add(input.surface->Value(box.umin + (box.umax - box.umin) * i / grid,
+                                           box.vmin + (box.vmax - box.vmin) * j / grid));
+    return std::sqrt(space.SquareExtent());
+}
+
+Result<bool> measure(InputFace &input)
+{
+    std::vector<PcurvePiece> pieces;
+    for (const TrimmingLoop &loop : input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            add_pieces(curve, pieces);
+    input.box = box_of(pieces);
+    input.diagonal = extent_of(input, pieces);
     if (!std::isfinite(input.diagonal))
         return refusal(Status::NotFinite, "The face's extent is not a finite number; import the model again.");
-    input.box = box_of(input.loops);
     const double rectangle = (input.box.umax - input.box.umin) * (input.box.vmax - input.box.vmin);
     // A loop that runs along a line and back encloses nothing; a sliver of a real face encloses far more than this.
     if (!(rectangle > 0.0) || std::abs(signed_area(input.loops)) <= 1e-9 * rectangle)

@@ -58,7 +58,7 @@ struct InputFace
     Handle(Geom_Surface) surface; //!< unwrapped from Geom_RectangularTrimmedSurface
     std::vector<TrimmingLoop> loops;
     ParameterBox box;       //!< of all trimming curves
-    double diagonal = 0.0;  //!< of the face's bounding box [mm]
+    double diagonal = 0.0;  //!< size of the face: of the box of points on it [mm]
     double tolerance = 0.0; //!< largest tolerance of the face's edges and vertices [mm]
 
     [[nodiscard]] int edge_count() const; //!< distinct edges, a seam counted once

@@ -18,17 +18,18 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::max(); // nothing known, though halving may help
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Halvings of the scalar polynomials before the whole rectangle is halved and its frame renewed.
 constexpr int scalar_depth = 6;
-constexpr int geometric_depth = 10;
+constexpr int geometric_depth = 24;
 // A border row of S_u x S_v this small against its largest coefficient is a collapsed side.
 constexpr double collapsed = 1e-11;
-// Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction,
-// products of pieces of some 100. These factors leave an order of magnitude to spare; the oracle tests
-// compare with interval arithmetic.
-constexpr double extraction_operations = 64.0;
+// Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction, halved
+// up to geometric_depth times with two roundings a degree; products of pieces are sums of some 100. The oracle
+// tests compare with interval arithmetic.
+constexpr double extraction_operations = 160.0;
 constexpr double product_operations = 512.0;
 
 //! The pieces of base and offset on one rectangle, in coordinates relative to a near point.
@@ -72,7 +73,16 @@ struct Frame
     double a_error = 0.0;   //!< rounding of a / omega^2 [mm^2]
     double b_error = 0.0;   //!< rounding of the tangential part [mm]
     int b_weight_power = 1; //!< power of omega that divides b and c
+    double slope = 0.0;     //!< turn of T1, T2 or M for an error of 1 mm in the derivatives [1/mm]
     bool general = false;
+};
+
+//! What one part of a frame tells.
+struct Leaf
+{
+    double bound = 0.0;     //!< of |O - (S + dN)|, if O lies on the same side of the surface as at the centre
+    double any_side = 0.0;  //!< the same without knowing the side
+    bool may_cross = false; //!< O may lie on the surface somewhere in this part
 };
 
 class PieceProver
@@ -89,7 +99,7 @@ public:
         if (bound <= m_target || depth >= geometric_depth)
             return bound;
         Piece upper = piece;
-        const bool along_u = depth % 2 == 0;
+        const bool along_u = bends_more_in_u(piece.base.numerator);
         piece.base.halve(along_u, upper.base);
         piece.offset.halve(along_u, upper.offset);
         const double first = prove(piece, depth + 1);
@@ -100,6 +110,31 @@ public:
     }
 
 private:
+    //! Compares the second differences of the poles: halving pays most across the sharper bend.
+    static bool bends_more_in_u(const Bernstein3 &p)
+    {
+        double along_u = 0.0;
+        double along_v = 0.0;
+        const auto bend = [&](int i, int j, int di, int dj) {
+            double square = 0.0;
+            for (const Bernstein &c : p)
+                square += std::pow(
+                    c.coefficient(i - di, j - dj) - 2.0 * c.coefficient(i, j) + c.coefficient(i + di, j + dj), 2);
+            return square;
+        };
+        const int m = p[0].degree_u();
+        const int n = p[0].degree_v();
+        for (int i = 0; i <= m; ++i)
+            for (int j = 0; j <= n; ++j)
+            {
+                if (i > 0 && i < m)
+                    along_u = std::max(along_u, bend(i, j, 1, 0));
+                if (j > 0 && j < n)
+                    along_v = std::max(along_v, bend(i, j, 0, 1));
+            }
+        return along_u >= along_v;
+    }
+
     double try_frame(const Piece &piece, bool general)
     {
         difference(piece);
@@ -117,7 +152,7 @@ private:
         scalars.omega = piece.omega();
         rounding(piece, weights, frame);
         m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_normal)) * m_d > 0.0;
-        return bound(frame, 0);
+        return frame_bound(frame);
     }
 
     //! W = omega (O - S)
@@ -252,6 +287,7 @@ private:
         const double trace = h1 * h1 + h2 * h2;
         const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * area * area)));
         frame.gram = (1.0 + 1e-9) * largest / (area * area);
+        frame.slope = 1.0 / std::sqrt(std::min(e, g));
         assign_dot(m_w, m_t1, scalars.b);
         assign_dot(m_w, m_t2, scalars.c);
         return true;
@@ -282,6 +318,7 @@ private:
                 for (Bernstein &component : m_divided)
                     component.divide(border);
         const double unit = 1.0 / longest(m_divided);
+        frame.slope = (longest(m_pu) + longest(m_pv)) * unit;
         for (Bernstein &component : m_divided)
             component.scale(unit);
         for (Bernstein *component : {&scalars.b, &scalars.c, &scalars.third})
@@ -323,15 +360,29 @@ private:
             std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
         const double w_error = extraction_operations * epsilon * size * (weights.high / weights.low) +
                                piece.weight_gap * size / weights.low;
-        frame.a_error = 2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + m_d * m_d);
-        frame.b_error = w_error + product_operations * epsilon * w;
+        const double ratio = weights.high / weights.low;
+        frame.a_error =
+            2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + std::pow(m_d * ratio, 2));
+        // Poles that nearly agree, on short pieces or under skewed parameters, leave little of their difference.
+        const int degree = std::max(piece.base.numerator[0].degree_u(), piece.base.numerator[0].degree_v());
+        const double local = longest(piece.base.numerator) / weights.low + (piece.base.rational() ? piece.extent : 0.0);
+        const double derivative_error = 2.0 * degree * extraction_operations * epsilon * local * ratio * ratio;
+        frame.b_error = w_error + w * (product_operations * epsilon + frame.slope * derivative_error);
+    }
+
+    //! Bound over a whole frame. The side of the surface on which O lies is known at the centre only: it holds
+    //! elsewhere if no leaf lets O pass through the surface.
+    double frame_bound(const Frame &frame)
+    {
+        const Leaf whole = bound(frame, 0);
+        return m_sign_holds && whole.may_cross ? whole.any_side : whole.bound;
     }
 
     //! Bound over the current scalars, halving them while that helps.
-    double bound(const Frame &frame, int depth)
+    Leaf bound(const Frame &frame, int depth)
     {
-        const double here = leaf(frame, m_scalars[static_cast<std::size_t>(depth)]);
-        if (here <= m_target || depth >= scalar_depth || here == infinity)
+        const Leaf here = leaf(frame, m_scalars[static_cast<std::size_t>(depth)]);
+        if (here.bound <= m_target || depth >= scalar_depth || here.bound == infinity)
             return here;
         Scalars &lower = m_scalars[static_cast<std::size_t>(depth) + 1];
         lower = m_scalars[static_cast<std::size_t>(depth)];
@@ -339,18 +390,23 @@ private:
         Scalars &spare = m_spare;
         lower.halve(depth % 2 == 0, spare, frame.general);
         std::swap(upper, spare);
-        const double first = bound(frame, depth + 1);
-        if (first > m_target)
-            return std::max(first, here);
+        const Leaf first = bound(frame, depth + 1);
+        if (first.bound > m_target)
+            return either(first, here);
         lower = m_scalars[static_cast<std::size_t>(depth)];
-        return std::max(first, bound(frame, depth + 1));
+        return either(first, bound(frame, depth + 1));
     }
 
-    [[nodiscard]] double leaf(const Frame &frame, const Scalars &s) const
+    static Leaf either(const Leaf &a, const Leaf &b)
+    {
+        return {std::max(a.bound, b.bound), std::max(a.any_side, b.any_side), a.may_cross || b.may_cross};
+    }
+
+    [[nodiscard]] Leaf leaf(const Frame &frame, const Scalars &s) const
     {
         const Bernstein::Range omega = s.omega.range();
         if (omega.low <= 0.0)
-            return infinity;
+            return {infinity, infinity, true};
         const Bernstein::Range a = s.a.range();
         const double low = a.low / std::pow(a.low < 0.0 ? omega.low : omega.high, 2) - frame.a_error;
         const double high = a.high / std::pow(a.high < 0.0 ? omega.high : omega.low, 2) + frame.a_error;
@@ -360,30 +416,32 @@ private:
         {
             const double square = s.square.range().low;
             if (!(square > 1e-8))
-                return std::numeric_limits<double>::max(); // halving may still help
-            tangential = std::sqrt(squares(s.b, s.c, s.third) / square) / weight;
+                return {unbounded, unbounded, true}; // halving may still help
+            tangential = std::sqrt(squares(s.b, s.c, s.third) / square) / weight + frame.b_error / std::sqrt(square);
         }
         else
             tangential =
-                std::sqrt(frame.gram * (std::pow(s.b.range().size(), 2) + std::pow(s.c.range().size(), 2))) / weight;
-        tangential += frame.b_error * std::sqrt(frame.gram);
+                std::sqrt(frame.gram * (std::pow(s.b.range().size(), 2) + std::pow(s.c.range().size(), 2))) / weight +
+                frame.b_error * std::sqrt(frame.gram);
         return combined(tangential, low, high);
     }
 
     //! Tangential and normal part together; low <= |w|^2 - d^2 <= high.
-    [[nodiscard]] double combined(double tangential, double low, double high) const
+    [[nodiscard]] Leaf combined(double tangential, double low, double high) const
     {
         const double d = std::abs(m_d);
         const double least = low - tangential * tangential;
         const double most = std::sqrt(std::max(0.0, d * d + high));
         double normal = d + most;
-        if (m_sign_holds && d * d + least > 0.0)
+        const bool keeps_side = d * d + least > 0.0;
+        const double any_side = std::hypot(tangential, normal) * (1.0 + 8.0 * epsilon);
+        if (m_sign_holds && keeps_side)
         {
             const double above = std::max(0.0, high) / (d + most);
             const double below = std::max(0.0, -least) / (d + std::sqrt(d * d + least));
             normal = std::max(above, below);
         }
-        return std::hypot(tangential, normal) * (1.0 + 8.0 * epsilon);
+        return {std::hypot(tangential, normal) * (1.0 + 8.0 * epsilon), any_side, !keeps_side};
     }
 
     static double squares(const Bernstein &x, const Bernstein &y, const Bernstein &z)
