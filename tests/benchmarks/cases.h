@@ -16,9 +16,9 @@ struct BaseFace
 {
     std::string name; //!< "panel 8x8", "file.step#3" (faces from 1)
     TopoDS_Face face;
-    int poles = 0;         //!< of the base surface, 0 where it has none
-    double diagonal = 0.0; //!< of the bounding box [mm]
-    bool free_form = true; //!< no plane, cylinder, cone, sphere or torus
+    int poles = 0;                  //!< of the base surface, 0 where it has none
+    double diagonal = 0.0;          //!< of the bounding box [mm]
+    bool free_form = true;          //!< no plane, cylinder, cone, sphere or torus
     double lowest_curvature = 0.0;  //!< least and largest principal curvature seen on a dense grid inside the
     double highest_curvature = 0.0; //!< loops, positive where the surface bends towards its outward normal
 

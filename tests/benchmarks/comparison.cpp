@@ -14,7 +14,7 @@ namespace benchmark
 namespace
 {
 
-constexpr int few_poles = 64;         // of OpenCASCADE: up to here we may need a quarter more
+constexpr int few_poles = 64; // of OpenCASCADE: up to here we may need a quarter more
 constexpr double ratio_when_few = 1.25;
 constexpr double largest_time_ratio = 3.0;
 
@@ -103,9 +103,10 @@ Comparison compare_one(const BaseFace &base, const Task &task, double limit_s)
 
 void print_heading(std::ostream &out)
 {
-    out << fmt::format("{:<44} {:>6} {:>9} {:>6} | {:>8} {:>5} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>9} {:>9} {:>9} {}\n",
-                       "case", "base", "d mm", "tol", "ours", "deg", "OCCT", "ratio", "ours ms", "OCCT ms", "ratio",
-                       "certified", "ours err", "OCCT err", "status ours / OCCT");
+    out << fmt::format(
+        "{:<44} {:>6} {:>9} {:>6} | {:>8} {:>5} {:>7} {:>6} | {:>8} {:>8} {:>6} | {:>9} {:>9} {:>9} {}\n", "case",
+        "base", "d mm", "tol", "ours", "deg", "OCCT", "ratio", "ours ms", "OCCT ms", "ratio", "certified", "ours err",
+        "OCCT err", "status ours / OCCT");
 }
 
 void print_line(const Comparison &row, std::ostream &out)
@@ -146,36 +147,44 @@ void print_summary(const std::vector<Comparison> &rows, std::ostream &out)
     out << fmt::format("\n{} feasible cases; ours made {}, OCCT made {}\n", rows.size(),
                        std::count_if(rows.begin(), rows.end(), [](const Comparison &row) { return row.ours.made; }),
                        std::count_if(rows.begin(), rows.end(), [](const Comparison &row) { return row.occt.made; }));
-    print_ratios("Where both have a result", rows, [](const Comparison &) { return true; }, out);
+    print_ratios(
+        "Where both have a result", rows, [](const Comparison &) { return true; }, out);
     print_ratios("Where OCCT also meets its tolerance", rows, &Comparison::occt_in_tolerance, out);
-    print_if("Pole counts above the limit", rows, [](const Comparison &r) { return r.both() && violates_poles(r); },
-             pole_note, out);
-    print_if("Times above the limit", rows,
-             [](const Comparison &r) { return r.both() && r.time_ratio() > largest_time_ratio; }, time_note, out);
-    print_if("Sampled errors beyond the certificate", rows, &Comparison::bound_exceeded,
-             [](const Comparison &r) {
-                 return fmt::format("  {}: {:.3e} > {:.3e}\n", label(r), r.ours.sampled, r.ours.bound);
-             },
-             out);
-    print_if("Sampled errors beyond the tolerance", rows,
-             [](const Comparison &r) { return r.ours.made && r.ours.sampled > r.task.tolerance; },
-             [](const Comparison &r) { return fmt::format("  {}: {:.3e}\n", label(r), r.ours.sampled); }, out);
-    print_if("Results without a certificate", rows,
-             [](const Comparison &r) { return r.ours.made && !r.ours.certified; },
-             [](const Comparison &r) { return fmt::format("  {}\n", label(r)); }, out);
-    print_if("Feasible cases that we refuse", rows,
-             [](const Comparison &r) { return !r.ours.made && !r.ours.fold_confirmed; },
-             [](const Comparison &r) { return fmt::format("  {}: {}: {}\n", label(r), r.ours.status, r.ours.message); },
-             out);
-    print_if("OCCT surfaces out of tolerance", rows,
-             [](const Comparison &r) { return r.occt.made && !r.occt_in_tolerance(); },
-             [](const Comparison &r) { return fmt::format("  {}: {:.2e}\n", label(r), r.occt.sampled); }, out);
+    print_if(
+        "Pole counts above the limit", rows, [](const Comparison &r) { return r.both() && violates_poles(r); },
+        pole_note, out);
+    print_if(
+        "Times above the limit", rows,
+        [](const Comparison &r) { return r.both() && r.time_ratio() > largest_time_ratio; }, time_note, out);
+    print_if(
+        "Sampled errors beyond the certificate", rows, &Comparison::bound_exceeded,
+        [](const Comparison &r) {
+            return fmt::format("  {}: {:.3e} > {:.3e}\n", label(r), r.ours.sampled, r.ours.bound);
+        },
+        out);
+    print_if(
+        "Sampled errors beyond the tolerance", rows,
+        [](const Comparison &r) { return r.ours.made && r.ours.sampled > r.task.tolerance; },
+        [](const Comparison &r) { return fmt::format("  {}: {:.3e}\n", label(r), r.ours.sampled); }, out);
+    print_if(
+        "Results without a certificate", rows, [](const Comparison &r) { return r.ours.made && !r.ours.certified; },
+        [](const Comparison &r) { return fmt::format("  {}\n", label(r)); }, out);
+    print_if(
+        "Feasible cases that we refuse", rows,
+        [](const Comparison &r) { return !r.ours.made && !r.ours.fold_confirmed; },
+        [](const Comparison &r) { return fmt::format("  {}: {}: {}\n", label(r), r.ours.status, r.ours.message); },
+        out);
+    print_if(
+        "OCCT surfaces out of tolerance", rows,
+        [](const Comparison &r) { return r.occt.made && !r.occt_in_tolerance(); },
+        [](const Comparison &r) { return fmt::format("  {}: {:.2e}\n", label(r), r.occt.sampled); }, out);
 }
 
 void print_worst(const std::vector<Comparison> &rows, std::size_t count, std::ostream &out)
 {
     std::vector<Comparison> sorted;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(sorted), [](const Comparison &row) { return row.both(); });
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(sorted),
+                 [](const Comparison &row) { return row.both(); });
     const auto print = [&](const char *title, auto figure, auto note) {
         std::sort(sorted.begin(), sorted.end(),
                   [&](const Comparison &a, const Comparison &b) { return figure(a) > figure(b); });
@@ -183,9 +192,12 @@ void print_worst(const std::vector<Comparison> &rows, std::size_t count, std::os
         for (std::size_t i = 0; i < std::min(count, sorted.size()); ++i)
             out << note(sorted[i]);
     };
-    print("Worst pole ratios", [](const Comparison &row) { return row.pole_ratio(); }, pole_note);
-    print("Worst time ratios", [](const Comparison &row) { return row.time_ratio(); }, time_note);
-    print("Longest times of ours", [](const Comparison &row) { return row.ours.ms; }, time_note);
+    print(
+        "Worst pole ratios", [](const Comparison &row) { return row.pole_ratio(); }, pole_note);
+    print(
+        "Worst time ratios", [](const Comparison &row) { return row.time_ratio(); }, time_note);
+    print(
+        "Longest times of ours", [](const Comparison &row) { return row.ours.ms; }, time_note);
 }
 
 void write_csv(const std::vector<Comparison> &rows, const std::filesystem::path &path)

@@ -41,8 +41,8 @@ bool wrong(const Entry &entry)
 std::string describe(const Entry &e)
 {
     return fmt::format("  {} d {:+.4g}: {}{} {:.1f} ms, poles {}, sampled {:.2e}, bound {:.2e} {}\n", e.face,
-                       e.distance, e.outcome.status, e.outcome.made && !e.outcome.valid ? " INVALID" : "",
-                       e.outcome.ms, e.outcome.poles(), e.outcome.sampled, e.outcome.bound, e.outcome.message);
+                       e.distance, e.outcome.status, e.outcome.made && !e.outcome.valid ? " INVALID" : "", e.outcome.ms,
+                       e.outcome.poles(), e.outcome.sampled, e.outcome.bound, e.outcome.message);
 }
 
 void list(const char *title, const std::vector<Entry> &entries, const std::function<bool(const Entry &)> &which,
@@ -69,13 +69,17 @@ void summarise(std::vector<Entry> entries, std::ostream &out)
     out << fmt::format("feasible by the dense grid {}, made {} ({:.2f} %)\n", count, good,
                        100.0 * static_cast<double>(good) / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)));
     list("Wrong results", entries, wrong, out);
-    list("Folded by the dense grid and yet made", entries,
-         [](const Entry &e) { return !e.feasible && e.outcome.made; }, out);
-    list("Feasible and not made", entries, [](const Entry &e) { return e.feasible && !e.outcome.made; }, out);
-    list("Refused without a place", entries,
-         [](const Entry &e) { return !e.outcome.made && !e.outcome.has_where; }, out);
-    list("Free-form results without a certificate", entries,
-         [](const Entry &e) { return e.free_form && e.outcome.made && !e.outcome.certified; }, out);
+    list(
+        "Folded by the dense grid and yet made", entries, [](const Entry &e) { return !e.feasible && e.outcome.made; },
+        out);
+    list(
+        "Feasible and not made", entries, [](const Entry &e) { return e.feasible && !e.outcome.made; }, out);
+    list(
+        "Refused without a place", entries, [](const Entry &e) { return !e.outcome.made && !e.outcome.has_where; },
+        out);
+    list(
+        "Free-form results without a certificate", entries,
+        [](const Entry &e) { return e.free_form && e.outcome.made && !e.outcome.certified; }, out);
     std::sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) { return a.wall_ms > b.wall_ms; });
     out << "Slowest\n";
     for (std::size_t i = 0; i < std::min<std::size_t>(15, entries.size()); ++i)
@@ -102,11 +106,13 @@ void run_corpus(const std::vector<BaseFace> &faces, const std::filesystem::path 
         for (const double share : shares)
         {
             const double distance = share * base.diagonal;
-            const ChildResult result =
-                run_in_child([&] { return run_ours(base.face, {distance, tolerance, 1, grid}); }, limit_s);
-            entries.push_back(
-                {base.name, base.free_form, base.feasible(distance) && !result.outcome.fold_confirmed, distance,
-                 result.outcome, result.wall_ms});
+            const ChildResult result = run_in_child(
+                [&] {
+                    return run_ours(base.face, {distance, tolerance, 1, grid});
+                },
+                limit_s);
+            entries.push_back({base.name, base.free_form, base.feasible(distance) && !result.outcome.fold_confirmed,
+                               distance, result.outcome, result.wall_ms});
         }
     summarise(entries, out);
     write(entries, csv);

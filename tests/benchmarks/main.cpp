@@ -24,8 +24,7 @@ Tables go to the standard output, comparison.csv, worst.txt and corpus.csv into 
 
 constexpr int quick_stride = 19;
 
-void run_comparison(const std::vector<BaseFace> &faces, const ComparisonPlan &plan,
-                    const std::filesystem::path &folder)
+void run_comparison(const std::vector<BaseFace> &faces, const ComparisonPlan &plan, const std::filesystem::path &folder)
 {
     const std::vector<Comparison> rows = compare(faces, plan, std::cout);
     print_summary(rows, std::cout);

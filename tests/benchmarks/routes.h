@@ -30,9 +30,9 @@ struct Outcome
     char message[240] = "";
     int poles_u = 0, poles_v = 0, degree_u = 0, degree_v = 0;
     double ms = 0.0;
-    double bound = 0.0;          //!< certified_error [mm]
-    double sampled = 0.0;        //!< largest deviation from S + d N inside the loops [mm]: at equal parameters, or,
-                                 //!< where that misses the tolerance, the distance of S + d N to the surface
+    double bound = 0.0;             //!< certified_error [mm]
+    double sampled = 0.0;           //!< largest deviation from S + d N inside the loops [mm]: at equal parameters, or,
+                                    //!< where that misses the tolerance, the distance of S + d N to the surface
     std::array<double, 8> stages{}; //!< ours: ms by Stage
 
     [[nodiscard]] int poles() const { return poles_u * poles_v; }

@@ -6,7 +6,8 @@
 //! from Bernstein coefficients of a = w.w - d^2, b = w.T1 and c = w.T2, where T1, T2 are constant
 //! combinations of S_u, S_v that are orthonormal at the rectangle's centre:
 //! the tangential part is |w_t|^2 <= (max b^2 + max c^2) / lambda_min of their Gram matrix, the normal
-//! part lies between sqrt(d^2 + min a - |w_t|^2) and sqrt(d^2 + max a), its sign is read at the centre.
+//! part lies between sqrt(d^2 + min a - |w_t|^2) and sqrt(d^2 + max a), its sign is read at the centre and
+//! counts only while it can change nowhere on the rectangle.
 //! Where S_u x S_v vanishes on a border (poles, collapsed sides) the factor is divided out and
 //! |w_t| = |w x M| / |M| is used instead. Rectangles are halved until the bound passes. Normals are
 //! one-sided by construction, because every rectangle is one polynomial piece. All bounds are inflated
