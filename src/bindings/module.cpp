@@ -3,6 +3,7 @@
 //! The extension module laminate_offset._core. It holds no policy: the package around it converts
 //! units, chooses the way of shape exchange and documents the interface.
 #include "offset_face_binding.h"
+#include "offset_limits_binding.h"
 #include "offset_options_binding.h"
 #include "shape_exchange.h"
 
@@ -40,4 +41,5 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_shape_exchange(module);
     laminate_offset::python::bind_offset_options(module);
     laminate_offset::python::bind_offset_face(module);
+    laminate_offset::python::bind_offset_limits(module);
 }

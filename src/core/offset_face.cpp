@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_face.h"
 
+#include "analysis/self_intersection.h"
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
 #include "surface/offset_surface.h"
@@ -101,7 +102,22 @@ private:
         }
         if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
             return feasible.failure();
-        return fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
+        Result<OffsetSurface> fitted =
+            fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
+        if (!fitted)
+            return fitted;
+        if (const Result<bool> clear = check_meetings(input, analysis, fitted.value(), distance); !clear)
+            return clear.failure();
+        return fitted;
+    }
+
+    Result<bool> check_meetings(const InputFace &input, const SurfaceAnalysis &analysis, const OffsetSurface &surface,
+                                double distance) const
+    {
+        const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface.geometry);
+        if (spline.IsNull())
+            return true;
+        return check_self_intersection({analysis, input, from_geom(spline), distance, m_options.tolerance});
     }
 
     //! An exact kind names the limit that was passed; what is known of the other side comes from the analysis.

@@ -24,7 +24,7 @@ except ImportError as error:
         f"{error}. Build and use it with the Python of FreeCAD (on Debian /usr/bin/python3)."
     ) from error
 
-from .api import OffsetResult, offset_face
+from .api import OffsetLimits, OffsetResult, offset_face, offset_limits
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
 from .report import OffsetReport
@@ -32,4 +32,12 @@ from .report import OffsetReport
 select_at_import()
 
 __version__: str = _core.__version__
-__all__ = ["OffsetError", "OffsetReport", "OffsetResult", "offset_face", "shape_exchange"]
+__all__ = [
+    "OffsetError",
+    "OffsetLimits",
+    "OffsetReport",
+    "OffsetResult",
+    "offset_face",
+    "offset_limits",
+    "shape_exchange",
+]

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The functions for users. Lengths are in mm; distances are signed along the face's outward normal."""
 
+import copy
+import json
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Union
 
 import FreeCAD
 import Part
 
 from . import _core
+from .errors import describe_range
 from .report import OffsetReport
 
 Progress = Callable[[float], Optional[bool]]
@@ -25,6 +28,70 @@ class OffsetResult:
 
     face: "Part.Face"
     report: OffsetReport
+
+
+class OffsetLimits:
+    """The distances by which a face can be offset before its offset folds, and where it would fold first.
+
+    Attributes:
+        negative: most negative feasible distance in mm along the face's outward normal, zero or less; None: no limit.
+        positive: largest feasible distance in mm, zero or more; None: no limit.
+        where_negative: the place that folds first on the negative side, {"u", "v", "x", "y", "z"} (x, y, z in mm), or
+            None.
+        where_positive: the same for the positive side.
+        proven: whether the limits are proven; False where curvature could only be sampled, at poles and on a surface
+            that is no spline in its own parameters.
+    """
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values: Dict[str, Any] = copy.deepcopy(dict(values))
+        self.negative: Optional[float] = self._side("negative", "distance")
+        self.positive: Optional[float] = self._side("positive", "distance")
+        self.where_negative: Optional[Dict[str, float]] = self._side("negative", "where")
+        self.where_positive: Optional[Dict[str, float]] = self._side("positive", "where")
+        self.proven: bool = self._values["proven"]
+
+    def _side(self, side: str, key: str) -> Any:
+        limit = self._values[side]
+        return None if limit is None else copy.deepcopy(limit[key])
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The documented form: status, stage, message, where, proven, negative and positive; a copy.
+
+        negative and positive are {"distance", "where"}, or None for a side without a limit.
+        """
+        return copy.deepcopy(self._values)
+
+    def to_json(self) -> str:
+        """The same as indented JSON text."""
+        return json.dumps(self._values, indent=2, ensure_ascii=False)
+
+    def summary(self) -> str:
+        """One line for a person: the feasible distances."""
+        known = "" if self.proven else " (sampled, not proven)"
+        return f"feasible distances {describe_range((self.negative, self.positive))}{known}"
+
+    def __repr__(self) -> str:
+        return f"OffsetLimits(negative={self.negative!r}, positive={self.positive!r}, proven={self.proven!r})"
+
+
+def offset_limits(face: "Part.Face") -> OffsetLimits:
+    """Find the distances by which a trimmed face can be offset before its offset folds.
+
+    Only the part inside the trimming loops counts. The limits follow from curvature; whether distant parts of an
+    offset meet each other is found out by offset_face for its one distance.
+
+    Args:
+        face: a Part.Face. Its orientation and placement count, as for offset_face.
+
+    Returns:
+        OffsetLimits with .negative and .positive in mm along the face's outward normal.
+
+    Raises:
+        OffsetError: the face was refused, e.g. for a crease at which no distance works.
+        TypeError: face is not a Part shape.
+    """
+    return OffsetLimits(json.loads(_core.offset_limits(face)))
 
 
 def offset_face(

@@ -13,7 +13,7 @@ from typing import Any, Dict, List, Optional, TextIO, Tuple
 import Part
 
 from . import __version__, _core
-from .api import OffsetResult, Progress, offset_face
+from .api import OffsetResult, Progress, offset_face, offset_limits
 from .errors import OffsetError
 from .files import FileError, check_writable, format_of, read_faces, write_json, write_shape
 
@@ -53,6 +53,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"laminate-offset {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_offset_command(commands)
+    _add_limits_command(commands)
     return parser
 
 
@@ -106,6 +107,21 @@ def _add_offset_command(commands: Any) -> None:
     add("--report", metavar="R.json", help="write the report as JSON")
 
 
+def _add_limits_command(commands: Any) -> None:
+    parser = commands.add_parser(
+        "limits",
+        help="print how far one face of a file, or every face, can be offset",
+        description="Prints the feasible distances of one face of a STEP, IGES, BREP or FCStd file, or of every face, in "
+        "mm along its outward normal: beyond them the offset would fold.",
+        epilog="With --face all the report is a list with every face.",
+    )
+    parser.set_defaults(command=_limits)
+    add = parser.add_argument
+    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
+    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    add("--report", metavar="R.json", help="write the limits and their places as JSON")
+
+
 def _face_number(text: str) -> Optional[int]:
     """A face number, or None for all."""
     if text == "all":
@@ -151,6 +167,41 @@ def _offset(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     if arguments.report:
         write_json(reports[0] if arguments.face is not None else reports, arguments.report)
     return DONE if len(faces) == len(chosen) else REFUSED
+
+
+def _limits(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
+    if arguments.report:
+        _check_report(arguments.input, arguments.report)
+    reports: List[Dict[str, Any]] = []
+    for number, face in _choose(read_faces(arguments.input), arguments.face, arguments.input):
+        values = _limits_of(number, face, out, err)
+        reports.append({"face": number, **values})
+    if arguments.report:
+        write_json(reports[0] if arguments.face is not None else reports, arguments.report)
+    return DONE if all(report["status"] == "ok" for report in reports) else REFUSED
+
+
+def _limits_of(number: int, face: "Part.Face", out: TextIO, err: TextIO) -> Dict[str, Any]:
+    """One face's limits in their documented form, which holds for refusals too."""
+    try:
+        limits = offset_limits(face)
+    except OffsetError as refusal:
+        print(f"laminate-offset: face {number} refused at {refusal.stage}: {refusal}", file=err)
+        reason = {name: getattr(refusal, name) for name in ("status", "stage", "message", "where")}
+    except (RuntimeError, MemoryError) as error:
+        message = f"The face could not be processed: {error}"
+        print(f"laminate-offset: face {number} failed: {message}", file=err)
+        reason = {"status": "kernel-error", "stage": "input", "message": message, "where": None}
+    else:
+        print(f"face {number}: {limits.summary()}", file=out)
+        return limits.to_dict()
+    return {**reason, "proven": None, "negative": None, "positive": None}
+
+
+def _check_report(source: str, report: str) -> None:
+    if _is_same_file(report, source):
+        raise FileError(f"{report}: is the input; name another file for the report.")
+    check_writable(report)
 
 
 def _default_output(source: str) -> str:

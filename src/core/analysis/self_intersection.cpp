@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "self_intersection.h"
+
+#include "patch_tree.h"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int most_pairs = 60000;
+constexpr int most_newton_starts = 400;
+constexpr int newton_steps = 12;
+// A pair of pieces is tried by Newton's method once in so many halvings.
+constexpr int newton_interval = 3;
+constexpr int deepest_self = 14;
+// Boxes of this part of the tolerance are as good as points.
+constexpr double resolution_share = 0.5;
+// Base points of a meeting lie apart by at least this part of the distance (normals by some ten degrees).
+constexpr double least_separation = 0.2;
+// Offset points that coincide to this part of the face's size are one point.
+constexpr double coincidence = 1e-10;
+// Normals at a pole that differ less than this (cosine) belong to one cap.
+constexpr double cap_cosine = 0.5;
+
+using Place = Eigen::Vector4d; //!< (u, v) of one place and of the other
+
+//! Shifts that continue the parameters across a seam.
+struct Periods
+{
+    double u = 0.0; //!< 0: not closed
+    double v = 0.0;
+};
+
+Periods periods_of(const InputFace &input)
+{
+    double u0, u1, v0, v1;
+    input.surface->Bounds(u0, u1, v0, v1);
+    Periods periods;
+    if (input.surface->IsUPeriodic())
+        periods.u = input.surface->UPeriod();
+    else if (input.surface->IsUClosed())
+        periods.u = u1 - u0;
+    if (input.surface->IsVPeriodic())
+        periods.v = input.surface->VPeriod();
+    else if (input.surface->IsVClosed())
+        periods.v = v1 - v0;
+    return periods;
+}
+
+//! The shift of b, a multiple 0 or +-1 of the period, that brings it nearest to a; and the gap left.
+std::pair<double, double> nearest_shift(double a0, double a1, double b0, double b1, double period)
+{
+    std::pair<double, double> best{0.0, std::max(b0 - a1, a0 - b1)};
+    if (period > 0.0)
+        for (const double shift : {-period, period})
+            if (const double gap = std::max(b0 + shift - a1, a0 - b1 - shift); gap < best.second)
+                best = {shift, gap};
+    return best;
+}
+
+ParameterBox hull(const ParameterBox &a, const ParameterBox &b)
+{
+    return {std::min(a.umin, b.umin), std::max(a.umax, b.umax), std::min(a.vmin, b.vmin), std::max(a.vmax, b.vmax)};
+}
+
+ParameterBox shifted(const ParameterBox &box, double du, double dv)
+{
+    return {box.umin + du, box.umax + du, box.vmin + dv, box.vmax + dv};
+}
+
+//! Newton's method with shortest steps for f(p) = f(q), on the offset or on the base.
+class MeetingSolver
+{
+public:
+    explicit MeetingSolver(const SelfIntersectionQuery &query) : m_query(query), m_box(query.analysis.base.box()) {}
+
+    //! A meeting of the offset that is none of the base, from a start close to it.
+    [[nodiscard]] std::optional<SelfMeeting> meeting(const Place &start) const
+    {
+        const auto offset = [this](double u, double v) { return m_query.offset.jets({u}, {v}, 1).front(); };
+        const std::optional<Place> place = solve(offset, start);
+        if (!place || !inside(*place))
+            return std::nullopt;
+        const Eigen::Vector3d apart = base(place->x(), place->y()).s - base(place->z(), place->w()).s;
+        const double least = std::max(least_separation * std::abs(m_query.distance), 4.0 * m_query.tolerance);
+        if (apart.norm() < least || base_meets(*place))
+            return std::nullopt;
+        return SelfMeeting{{place->x(), place->y()}, {place->z(), place->w()}};
+    }
+
+private:
+    [[nodiscard]] SurfaceJet base(double u, double v) const { return m_query.analysis.base.jets({u}, {v}, 1).front(); }
+
+    [[nodiscard]] bool inside(const Place &place) const
+    {
+        return m_query.analysis.region.contains({place.x(), place.y()}) &&
+               m_query.analysis.region.contains({place.z(), place.w()});
+    }
+
+    //! The base crosses itself close by, transversally and inside its loops.
+    [[nodiscard]] bool base_meets(const Place &start) const
+    {
+        const auto own = [this](double u, double v) { return base(u, v); };
+        const std::optional<Place> place = solve(own, start);
+        if (!place || !inside(*place) || same(*place))
+            return false;
+        const SurfaceJet a = base(place->x(), place->y());
+        const SurfaceJet b = base(place->z(), place->w());
+        const Eigen::Vector3d na = a.u.cross(a.v).normalized();
+        const Eigen::Vector3d nb = b.u.cross(b.v).normalized();
+        return na.cross(nb).norm() > 1e-3 && clear_of_ends(*place);
+    }
+
+    [[nodiscard]] bool same(const Place &place) const
+    {
+        return std::abs(place.x() - place.z()) < 1e-6 * (m_box.umax - m_box.umin) &&
+               std::abs(place.y() - place.w()) < 1e-6 * (m_box.vmax - m_box.vmin);
+    }
+
+    //! A closed base meets itself at its seam, which is no crossing.
+    [[nodiscard]] bool clear_of_ends(const Place &place) const
+    {
+        const ParameterBox &box = m_query.input.box;
+        const double du = 1e-6 * (box.umax - box.umin);
+        const double dv = 1e-6 * (box.vmax - box.vmin);
+        for (const int k : {0, 2})
+            if (place[k] < box.umin + du || place[k] > box.umax - du || place[k + 1] < box.vmin + dv ||
+                place[k + 1] > box.vmax - dv)
+                return false;
+        return true;
+    }
+
+    template <typename Surface>
+    [[nodiscard]] std::optional<Place> solve(const Surface &surface, const Place &start) const
+    {
+        const Eigen::Vector4d scale(m_box.umax - m_box.umin, m_box.vmax - m_box.vmin, m_box.umax - m_box.umin,
+                                    m_box.vmax - m_box.vmin);
+        Place place = start;
+        for (int step = 0; step < newton_steps; ++step)
+        {
+            const SurfaceJet a = surface(place.x(), place.y());
+            const SurfaceJet b = surface(place.z(), place.w());
+            const Eigen::Vector3d residual = a.s - b.s;
+            if (residual.norm() <= coincidence * m_query.input.diagonal)
+                return place;
+            Eigen::Matrix<double, 3, 4> jacobian;
+            jacobian << a.u, a.v, -b.u, -b.v;
+            jacobian *= scale.asDiagonal();
+            const Eigen::Vector4d move = jacobian.completeOrthogonalDecomposition().solve(residual);
+            place -= scale.cwiseProduct(move);
+            for (const int k : {0, 2})
+            {
+                place[k] = std::clamp(place[k], m_box.umin, m_box.umax);
+                place[k + 1] = std::clamp(place[k + 1], m_box.vmin, m_box.vmax);
+            }
+        }
+        return std::nullopt;
+    }
+
+    const SelfIntersectionQuery &m_query;
+    ParameterBox m_box;
+};
+
+class PairSearch
+{
+public:
+    explicit PairSearch(const SelfIntersectionQuery &query)
+        : m_query(query), m_tree(query.offset), m_solver(query), m_periods(periods_of(query.input)),
+          m_resolution(resolution_share * query.tolerance)
+    {
+    }
+
+    SelfIntersectionSearch run()
+    {
+        within(PatchTree::root());
+        return m_result;
+    }
+
+private:
+    [[nodiscard]] bool over() const { return m_result.meeting.has_value() || m_result.pairs >= most_pairs; }
+
+    //! Meetings of a rectangle with itself.
+    void within(int index)
+    {
+        const PatchNode &node = m_tree.node(index);
+        if (over() || node.bounds.one_to_one() || !touches(index) || same_cap(index, index))
+            return;
+        if (node.halvings >= deepest_self || node.bounds.point.diagonal().norm() < m_resolution)
+        {
+            m_result.settled = false;
+            return;
+        }
+        m_tree.split(index);
+        const auto [lower, upper] = std::pair{m_tree.node(index).lower, m_tree.node(index).upper};
+        within(lower);
+        within(upper);
+        between(lower, upper);
+    }
+
+    //! Meetings of two rectangles that share no inner points.
+    void between(int first, int second)
+    {
+        if (over())
+        {
+            m_result.settled = false;
+            return;
+        }
+        ++m_result.pairs;
+        const PatchNode &a = m_tree.node(first);
+        const PatchNode &b = m_tree.node(second);
+        if (!a.bounds.point.intersects(b.bounds.point) || !touches(first) || !touches(second) ||
+            neighbours(a.box, b.box) || same_cap(first, second) || apart_along_normals(a, b))
+            return;
+        if (a.is_piece() && b.is_piece() && try_newton(a, b))
+            return;
+        const double size_a = a.bounds.point.diagonal().norm();
+        const double size_b = b.bounds.point.diagonal().norm();
+        if (std::max(size_a, size_b) < m_resolution)
+        {
+            m_result.settled = false;
+            return;
+        }
+        const bool first_is_larger = size_a >= size_b;
+        const int larger = first_is_larger ? first : second;
+        const int other = first_is_larger ? second : first;
+        m_tree.split(larger);
+        between(m_tree.node(larger).lower, other);
+        between(m_tree.node(larger).upper, other);
+    }
+
+    //! Is any part of the rectangle inside the loops? Asked for pieces only, and once.
+    bool touches(int index)
+    {
+        if (!m_tree.node(index).is_piece())
+            return true;
+        if (m_touches.size() <= static_cast<std::size_t>(index))
+            m_touches.resize(static_cast<std::size_t>(2 * index + 16), -1);
+        signed char &known = m_touches[static_cast<std::size_t>(index)];
+        if (known < 0)
+            known = m_query.analysis.region.may_touch(m_tree.node(index).box) ? 1 : 0;
+        return known == 1;
+    }
+
+    //! One-to-one over the rectangle that holds both, parameters continued across seams.
+    [[nodiscard]] bool neighbours(const ParameterBox &a, const ParameterBox &b) const
+    {
+        const auto [du, gap_u] = nearest_shift(a.umin, a.umax, b.umin, b.umax, m_periods.u);
+        const auto [dv, gap_v] = nearest_shift(a.vmin, a.vmax, b.vmin, b.vmax, m_periods.v);
+        if (gap_u > std::max(a.umax - a.umin, b.umax - b.umin) || gap_v > std::max(a.vmax - a.vmin, b.vmax - b.vmin))
+            return false;
+        const ParameterBox both = hull(a, shifted(b, du, dv));
+        PatchBounds bounds = m_tree.bounds_over(both);
+        for (const double u : {0.0, -du})
+            for (const double v : {0.0, -dv})
+                if (u != 0.0 || v != 0.0)
+                    bounds.extend(m_tree.bounds_over(shifted(both, u, v)));
+        return bounds.one_to_one();
+    }
+
+    //! The side of the whole surface that a piece has collapsed to a point, as a bit.
+    [[nodiscard]] unsigned collapsed_sides(const PatchNode &node) const
+    {
+        if (!node.is_piece())
+            return 0;
+        const int nu = node.piece.numerator[0].degree_u();
+        const int nv = node.piece.numerator[0].degree_v();
+        const double tiny = 1e-2 * m_resolution;
+        const auto point = [&node, nv](int i, int j) {
+            return node.points[static_cast<std::size_t>(i * (nv + 1) + j)];
+        };
+        std::array<bool, 4> collapsed{true, true, true, true};
+        for (int j = 0; j <= nv; ++j)
+        {
+            collapsed[0] = collapsed[0] && (point(0, j) - point(0, 0)).norm() < tiny;
+            collapsed[1] = collapsed[1] && (point(nu, j) - point(nu, 0)).norm() < tiny;
+        }
+        for (int i = 0; i <= nu; ++i)
+        {
+            collapsed[2] = collapsed[2] && (point(i, 0) - point(0, 0)).norm() < tiny;
+            collapsed[3] = collapsed[3] && (point(i, nv) - point(0, nv)).norm() < tiny;
+        }
+        unsigned sides = 0;
+        for (unsigned k = 0; k < 4; ++k)
+            sides |= collapsed[k] ? 1U << k : 0U;
+        return sides;
+    }
+
+    //! Normals at the corners (drawn in a little, off the collapsed side) and at the centre.
+    [[nodiscard]] std::array<Eigen::Vector3d, 5> normals(const ParameterBox &box) const
+    {
+        constexpr double in = 0.02;
+        constexpr std::array<std::array<double, 2>, 5> at{
+            {{in, in}, {in, 1.0 - in}, {1.0 - in, in}, {1.0 - in, 1.0 - in}, {0.5, 0.5}}};
+        std::array<Eigen::Vector3d, 5> result;
+        for (std::size_t k = 0; k < at.size(); ++k)
+        {
+            const double u = box.umin + at[k][0] * (box.umax - box.umin);
+            const double v = box.vmin + at[k][1] * (box.vmax - box.vmin);
+            const SurfaceJet jet = m_query.offset.jets({u}, {v}, 1).front();
+            result[k] = jet.u.cross(jet.v).normalized();
+        }
+        return result;
+    }
+
+    [[nodiscard]] bool same_cap(int first, int second) const
+    {
+        const PatchNode &a = m_tree.node(first);
+        const PatchNode &b = m_tree.node(second);
+        if ((collapsed_sides(a) & collapsed_sides(b)) == 0)
+            return false;
+        const auto na = normals(a.box);
+        const auto nb = first == second ? na : normals(b.box);
+        for (const Eigen::Vector3d &x : na)
+            for (const Eigen::Vector3d &y : nb)
+                if (!(x.dot(y) > cap_cosine))
+                    return false;
+        return true;
+    }
+
+    //! Do the control points lie apart along the normal of one of the pieces?
+    [[nodiscard]] static bool apart_along_normals(const PatchNode &a, const PatchNode &b)
+    {
+        if (!a.is_piece() || !b.is_piece())
+            return false;
+        for (const PatchNode *node : {&a, &b})
+        {
+            const Eigen::Vector3d axis = node->bounds.du.center().cross(node->bounds.dv.center()).normalized();
+            double low_a = infinity, high_a = -infinity, low_b = infinity, high_b = -infinity;
+            for (const Eigen::Vector3d &point : a.points)
+            {
+                low_a = std::min(low_a, axis.dot(point));
+                high_a = std::max(high_a, axis.dot(point));
+            }
+            for (const Eigen::Vector3d &point : b.points)
+            {
+                low_b = std::min(low_b, axis.dot(point));
+                high_b = std::max(high_b, axis.dot(point));
+            }
+            if (low_a > high_b || low_b > high_a)
+                return true;
+        }
+        return false;
+    }
+
+    bool try_newton(const PatchNode &a, const PatchNode &b)
+    {
+        if ((a.halvings + b.halvings) % newton_interval != 0 || m_newton_starts >= most_newton_starts)
+            return false;
+        ++m_newton_starts;
+        const Place start(0.5 * (a.box.umin + a.box.umax), 0.5 * (a.box.vmin + a.box.vmax),
+                          0.5 * (b.box.umin + b.box.umax), 0.5 * (b.box.vmin + b.box.vmax));
+        m_result.meeting = m_solver.meeting(start);
+        return m_result.meeting.has_value();
+    }
+
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    const SelfIntersectionQuery &m_query;
+    PatchTree m_tree;
+    MeetingSolver m_solver;
+    Periods m_periods;
+    double m_resolution;
+    int m_newton_starts = 0;
+    std::vector<signed char> m_touches;
+    SelfIntersectionSearch m_result;
+};
+
+Where where_on_face(const InputFace &input, const gp_Pnt2d &uv)
+{
+    return {uv, input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation())};
+}
+
+} // namespace
+
+SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query)
+{
+    if (std::abs(query.distance) <= 2.0 * query.tolerance)
+        return {};
+    const std::optional<PatchBounds> whole = whole_bounds(query.offset);
+    if (whole && whole->one_to_one())
+        return {};
+    return PairSearch(query).run();
+}
+
+Result<bool> check_self_intersection(const SelfIntersectionQuery &query)
+{
+    const std::optional<SelfMeeting> meeting = find_self_intersection(query).meeting;
+    if (!meeting)
+        return true;
+    const Where here = where_on_face(query.input, meeting->first);
+    const Where there = where_on_face(query.input, meeting->second);
+    return Failure{
+        Status::SelfIntersection, Stage::Surface,
+        fmt::format("At the distance {:.6g} mm the offset of the reported place meets that of the place u={:.6g}, "
+                    "v={:.6g} ({:.6g}, {:.6g}, {:.6g}); use a smaller distance, or split the face between the two.",
+                    query.input.normal_sign * query.distance, meeting->second.X(), meeting->second.Y(), there.point.X(),
+                    there.point.Y(), there.point.Z()),
+        here, std::nullopt};
+}
+
+} // namespace laminate_offset

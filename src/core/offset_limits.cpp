@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset_limits.h"
+
+#include "analysis/curvature.h"
+#include "analysis/surface_analysis.h"
+#include "base/options.h"
+#include "input/input_face.h"
+#include "surface/offset_surface.h"
+
+#include <Standard_Failure.hxx>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+// Relative width between what is proven and what is attained. The work grows
+// like its inverse on round faces, where every piece ties.
+constexpr double limit_gap = 1e-3;
+// Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
+constexpr double flat_curvature = 1e-9;
+// A crease is judged at this part of the face's diagonal.
+constexpr double crease_distance = 1e-2;
+// Past every radius [mm], and far from overflow.
+constexpr double past_every_limit = 1e60;
+
+//! The limit of a plane, cylinder, cone, sphere or torus: where a distance past every limit is refused.
+std::optional<OffsetLimit> exact_limit(const InputFace &input, bool outward)
+{
+    const double along_outward = outward ? past_every_limit : -past_every_limit;
+    const auto attempt = exact_offset(input, input.normal_sign * along_outward);
+    if (!attempt || attempt->ok() || !attempt->failure().feasible_range || !attempt->failure().where)
+        return std::nullopt;
+    const FeasibleRange &range = *attempt->failure().feasible_range;
+    const std::optional<double> &distance = outward ? range.positive : range.negative;
+    if (!distance)
+        return std::nullopt;
+    return OffsetLimit{*distance + 0.0, *attempt->failure().where};
+}
+
+std::optional<OffsetLimit> curved_limit(const InputFace &input, const CurvatureBound &bound)
+{
+    if (std::abs(bound.proven) <= flat_curvature / input.diagonal)
+        return std::nullopt;
+    const gp_Pnt local = input.surface->Value(bound.uv.X(), bound.uv.Y());
+    return OffsetLimit{input.normal_sign / bound.proven,
+                       Where{bound.uv, local.Transformed(input.location.Transformation())}};
+}
+
+Result<OffsetLimits> limits_of(const InputFace &input)
+{
+    OffsetLimits limits;
+    if (exact_offset(input, 0.0))
+    {
+        limits.negative = exact_limit(input, false);
+        limits.positive = exact_limit(input, true);
+        return limits;
+    }
+    const double tear_distance = crease_distance * input.diagonal;
+    const Result<SurfaceAnalysis> analysis = analyse(input, tear_distance, OffsetOptions{}.tolerance);
+    if (!analysis)
+        return analysis.failure();
+    const CurvatureExtremes extremes =
+        curvature_extremes(analysis.value().base, analysis.value().region, {0.0, limit_gap, input.diagonal});
+    limits.negative = curved_limit(input, extremes.lowest);
+    limits.positive = curved_limit(input, extremes.highest);
+    if (input.normal_sign < 0.0)
+        std::swap(limits.negative, limits.positive);
+    limits.proven = !extremes.lowest.sampled && !extremes.highest.sampled;
+    return limits;
+}
+
+Json place(const Where &where)
+{
+    return {{"u", where.uv.X()},
+            {"v", where.uv.Y()},
+            {"x", where.point.X()},
+            {"y", where.point.Y()},
+            {"z", where.point.Z()}};
+}
+
+Json side(const std::optional<OffsetLimit> &limit)
+{
+    if (!limit)
+        return nullptr;
+    return {{"distance", limit->distance}, {"where", place(limit->where)}};
+}
+
+Json refusal(const Failure &failure)
+{
+    return {{"status", name(failure.status)},
+            {"stage", name(failure.stage)},
+            {"message", failure.message},
+            {"where", failure.where ? place(*failure.where) : Json(nullptr)},
+            {"proven", nullptr},
+            {"negative", nullptr},
+            {"positive", nullptr}};
+}
+
+} // namespace
+
+Result<OffsetLimits> offset_limits(const TopoDS_Shape &shape)
+{
+    Stage stage = Stage::Input;
+    try
+    {
+        const Result<InputFace> input = read_face(shape);
+        if (!input)
+            return input.failure();
+        stage = Stage::Analysis;
+        return limits_of(input.value());
+    }
+    catch (const Standard_Failure &error)
+    {
+        return Failure{Status::KernelError, stage,
+                       fmt::format("The geometry kernel raised {} ({}); check the base face.",
+                                   error.DynamicType()->Name(), error.GetMessageString()),
+                       std::nullopt, std::nullopt};
+    }
+}
+
+Json to_json(const Result<OffsetLimits> &limits)
+{
+    if (!limits)
+        return refusal(limits.failure());
+    return {{"status", name(Status::Ok)},
+            {"stage", name(Stage::Analysis)},
+            {"message", "The limits were found."},
+            {"where", nullptr},
+            {"proven", limits.value().proven},
+            {"negative", side(limits.value().negative)},
+            {"positive", side(limits.value().positive)}};
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Feasible distances against surfaces whose radii are known, and against what offset_face makes of them.
+#include "support/random_cases.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/offset_face.h>
+#include <laminate_offset/offset_limits.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <GeomConvert.hxx>
+#include <GeomLProp_SLProps.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <gp_Pln.hxx>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+// A stated limit is never past the true one and gives away at most so much of it.
+constexpr double given_away = 2e-3;
+
+struct Expected
+{
+    std::optional<double> negative;
+    std::optional<double> positive;
+};
+
+Result<OffsetResult> offset(const TopoDS_Face &face, double distance)
+{
+    OffsetOptions options;
+    options.distance = distance;
+    options.tolerance = 1e-3;
+    return offset_face(face, options);
+}
+
+Handle(Geom_BSplineSurface) as_spline(const Handle(Geom_Surface) & round, double u0, double u1, double v0, double v1)
+{
+    return GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(round, u0, u1, v0, v1));
+}
+
+void expect_side(const std::optional<OffsetLimit> &limit, const std::optional<double> &expected)
+{
+    ASSERT_EQ(limit.has_value(), expected.has_value());
+    if (!limit)
+        return;
+    EXPECT_LE(limit->distance / *expected, 1.0 + 1e-12) << limit->distance << " is past " << *expected;
+    EXPECT_GE(limit->distance / *expected, 1.0 - given_away) << limit->distance << " falls short of " << *expected;
+}
+
+void expect_limits(const TopoDS_Face &face, const Expected &expected)
+{
+    const Result<OffsetLimits> limits = offset_limits(face);
+    ASSERT_TRUE(limits.ok()) << limits.failure().message;
+    EXPECT_TRUE(limits.value().proven);
+    expect_side(limits.value().negative, expected.negative);
+    expect_side(limits.value().positive, expected.positive);
+}
+
+//! The limits hold for the face in every position and orientation.
+void expect_limits_everywhere(const TopoDS_Face &face, const Expected &expected)
+{
+    const auto turned = [](const std::optional<double> &side) { return side ? std::optional(-*side) : std::nullopt; };
+    expect_limits(face, expected);
+    expect_limits(located(face), expected);
+    expect_limits(reversed(face), {turned(expected.positive), turned(expected.negative)});
+    expect_limits(reversed(located(face)), {turned(expected.positive), turned(expected.negative)});
+}
+
+//! The limit's place lies on the face, and one principal radius there is the limit.
+void expect_radius_at_place(const TopoDS_Face &face, const std::optional<OffsetLimit> &limit)
+{
+    ASSERT_TRUE(limit.has_value());
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    const gp_Pnt2d uv = limit->where.uv;
+    GeomLProp_SLProps local(surface, uv.X(), uv.Y(), 2, 1e-9);
+    EXPECT_LT(local.Value().Distance(limit->where.point), 1e-9);
+    const double sign = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+    const double nearest = std::min(std::abs(sign * limit->distance * local.MinCurvature() - 1.0),
+                                    std::abs(sign * limit->distance * local.MaxCurvature() - 1.0));
+    EXPECT_LT(nearest, given_away);
+}
+
+//! Just inside the limit the offset is made, just outside it is refused for its curvature.
+void expect_sharp(const TopoDS_Face &face, const std::optional<OffsetLimit> &limit)
+{
+    ASSERT_TRUE(limit.has_value());
+    const Result<OffsetResult> inside = offset(face, 0.999 * limit->distance);
+    EXPECT_TRUE(inside.ok()) << name(inside.failure().status) << ": " << inside.failure().message;
+    const Result<OffsetResult> outside = offset(face, 1.002 * limit->distance);
+    ASSERT_FALSE(outside.ok());
+    EXPECT_EQ(outside.failure().status, Status::CurvatureLimit) << outside.failure().message;
+    EXPECT_TRUE(outside.failure().stage == Stage::Analysis || outside.failure().stage == Stage::Surface);
+    EXPECT_TRUE(outside.failure().where.has_value());
+}
+
+Handle(Geom_BSplineSurface) saddle()
+{
+    return height_surface([](double x, double y) { return (x * x - y * y) / 100.0; }, 60.0, 40.0, 3, 3, 2);
+}
+
+} // namespace
+
+TEST(OffsetLimits, OfAnalyticFacesAreTheirClosedForms)
+{
+    const auto face = [](const Handle(Geom_Surface) & surface, double u0, double u1, double v0, double v1) {
+        return BRepBuilderAPI_MakeFace(surface, u0, u1, v0, v1, 1e-7).Face();
+    };
+    expect_limits_everywhere(face(new Geom_Plane(gp_Pln()), 0, 10, 0, 10), {});
+    expect_limits_everywhere(face(new Geom_CylindricalSurface(gp_Ax3(), 7.0), 0, 2, 0, 30), {-7.0, std::nullopt});
+    expect_limits_everywhere(face(new Geom_SphericalSurface(gp_Ax3(), 40.0), 0, 2, -0.5, 0.5), {-40.0, std::nullopt});
+    const Handle(Geom_Surface) torus = new Geom_ToroidalSurface(gp_Ax3(), 30.0, 8.0);
+    expect_limits_everywhere(face(torus, 0, 2, 0.75 * M_PI, 1.25 * M_PI), {-8.0, 22.0});
+    expect_limits_everywhere(face(torus, 0, 2, -0.25 * M_PI, 0.25 * M_PI), {-8.0, std::nullopt});
+    // the cone's tight end has the radius 5, its normal is inclined by the half angle
+    const Handle(Geom_Surface) cone = new Geom_ConicalSurface(gp_Ax3(), 0.3, 5.0);
+    expect_limits_everywhere(face(cone, 0, 2, 0, 30), {-5.0 / std::cos(0.3), std::nullopt});
+}
+
+TEST(OffsetLimits, OfRoundSplinesAreTheirRadii)
+{
+    const auto face = [](const Handle(Geom_Surface) & surface, double u0, double u1, double v0, double v1) {
+        return BRepBuilderAPI_MakeFace(as_spline(surface, u0, u1, v0, v1), 1e-7).Face();
+    };
+    expect_limits_everywhere(face(new Geom_SphericalSurface(gp_Ax3(), 40.0), 0.1, 1.3, -0.5, 0.9),
+                             {-40.0, std::nullopt});
+    expect_limits_everywhere(face(new Geom_CylindricalSurface(gp_Ax3(), 7.0), 0.1, 1.3, 0.0, 30.0),
+                             {-7.0, std::nullopt});
+    const Handle(Geom_Surface) torus = new Geom_ToroidalSurface(gp_Ax3(), 30.0, 8.0);
+    expect_limits_everywhere(face(torus, 0.2, 1.4, 0.75 * M_PI, 1.25 * M_PI), {-8.0, 22.0});
+    expect_limits_everywhere(face(torus, 0.2, 1.4, -0.25 * M_PI, 0.25 * M_PI), {-8.0, std::nullopt});
+}
+
+TEST(OffsetLimits, OfASaddleAreTheRadiiOfItsParabolas)
+{
+    // the poles make z = (x^2 - y^2) / 200: curvatures +-1/100 at the origin, smaller ones everywhere else
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(saddle(), 1e-7);
+    expect_limits_everywhere(face, {-100.0, 100.0});
+    const Result<OffsetLimits> limits = offset_limits(face);
+    ASSERT_TRUE(limits.ok());
+    EXPECT_LT(limits.value().positive->where.point.Distance(gp_Pnt(0, 0, 0)), 3.0);
+    EXPECT_LT(limits.value().negative->where.point.Distance(gp_Pnt(0, 0, 0)), 3.0);
+}
+
+TEST(OffsetLimits, AreSharp)
+{
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(saddle(), 1e-7);
+    const TopoDS_Face ring =
+        BRepBuilderAPI_MakeFace(as_spline(new Geom_ToroidalSurface(gp_Ax3(), 30.0, 8.0), 0.2, 1.4, 2.4, 3.9), 1e-7);
+    for (const TopoDS_Face &each : {face, reversed(face), located(ring)})
+    {
+        const Result<OffsetLimits> limits = offset_limits(each);
+        ASSERT_TRUE(limits.ok());
+        expect_sharp(each, limits.value().negative);
+        expect_sharp(each, limits.value().positive);
+    }
+}
+
+TEST(OffsetLimits, OfRandomSurfacesAreAttainedWhereTheySay)
+{
+    RandomCases random;
+    for (int i = 0; i < 8; ++i)
+    {
+        SCOPED_TRACE(i);
+        const auto surface = random_surface(random, {.spans_u = 2 + i % 4, .height = 6.0, .rational = i % 2 == 1});
+        TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7);
+        if (i % 3 == 0)
+            face = reversed(face);
+        const Result<OffsetLimits> limits = offset_limits(face);
+        ASSERT_TRUE(limits.ok());
+        EXPECT_TRUE(limits.value().proven);
+        ASSERT_TRUE(limits.value().negative && limits.value().positive);
+        EXPECT_LT(limits.value().negative->distance, 0.0);
+        EXPECT_GT(limits.value().positive->distance, 0.0);
+        expect_radius_at_place(face, limits.value().negative);
+        expect_radius_at_place(face, limits.value().positive);
+    }
+}
+
+TEST(OffsetLimits, OfARevolutionSayThatTheyAreSampled)
+{
+    const Handle(Geom_TrimmedCurve) profile =
+        GC_MakeArcOfCircle(gp_Pnt(38, 0, 0), gp_Pnt(30, 0, 8), gp_Pnt(22, 0, 0)).Value();
+    const Handle(Geom_Surface) surface = new Geom_SurfaceOfRevolution(profile, gp::OZ());
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 0, 1, 0.1, 1.2, 1e-7);
+    const Result<OffsetLimits> limits = offset_limits(face);
+    ASSERT_TRUE(limits.ok());
+    EXPECT_FALSE(limits.value().proven);
+}
+
+TEST(OffsetLimits, RefuseWhatIsNoFaceOrHasACrease)
+{
+    const Result<OffsetLimits> nothing = offset_limits(TopoDS_Shape());
+    ASSERT_FALSE(nothing.ok());
+    EXPECT_EQ(nothing.failure().status, Status::NullShape);
+    EXPECT_EQ(nothing.failure().stage, Stage::Input);
+    const auto roof = height_surface([](double, double y) { return -std::abs(y); }, 60.0, 40.0, 2, 3, 1);
+    const Result<OffsetLimits> creased = offset_limits(BRepBuilderAPI_MakeFace(roof, 1e-7));
+    ASSERT_FALSE(creased.ok());
+    EXPECT_EQ(creased.failure().status, Status::KinkedSurface);
+    EXPECT_EQ(creased.failure().stage, Stage::Analysis);
+    ASSERT_TRUE(creased.failure().where.has_value());
+    EXPECT_NEAR(creased.failure().where->uv.Y(), 0.5, 1e-9);
+}
+
+TEST(OffsetLimits, InJsonHaveTheDocumentedForm)
+{
+    const TopoDS_Face pipe = BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 7.0), 0, 2, 0, 30, 1e-7);
+    const auto json = to_json(offset_limits(pipe));
+    EXPECT_EQ(json["status"], "ok");
+    EXPECT_EQ(json["stage"], "analysis");
+    EXPECT_TRUE(json["where"].is_null());
+    EXPECT_TRUE(json["proven"].get<bool>());
+    EXPECT_EQ(json["negative"]["distance"].get<double>(), -7.0);
+    EXPECT_EQ(json["negative"]["where"].size(), 5u);
+    EXPECT_TRUE(json["positive"].is_null());
+    const auto refused = to_json(offset_limits(TopoDS_Shape()));
+    EXPECT_EQ(refused["status"], "null-shape");
+    EXPECT_EQ(refused["stage"], "input");
+    EXPECT_EQ(refused.size(), json.size());
+    EXPECT_TRUE(refused["proven"].is_null() && refused["negative"].is_null() && refused["where"].is_null());
+}
