@@ -164,10 +164,8 @@ private:
         report.tolerance = m_options.tolerance;
         report.certified_error = surface.certified_error;
         report.sampled_error = surface.sampled_error;
-        double worst = 0.0;
-        for (const OffsetEdge &edge : loops.edges)
-            worst = std::max(worst, edge.sampled_error);
-        report.sampled_edge_error = worst;
+        report.edge_error = loops.edge_error(surface.certified_error);
+        report.sampled_edge_error = loops.sampled_error();
         report.surface = summary(surface.geometry);
         report.limits = feasible_range(analysis, input);
         report.loops = static_cast<int>(input.loops.size());

@@ -18,8 +18,9 @@ namespace laminate_offset
 namespace
 {
 
-// Tolerances stand a little above what was measured, since the measure is at samples.
-constexpr double tolerance_margin = 1.05;
+// Tolerances stand above proven bounds by rounding only, and well above what was merely seen at samples.
+constexpr double proven_margin = 1.0 + 1e-12;
+constexpr double sampled_margin = 1.1;
 
 class FaceBuilder
 {
@@ -90,7 +91,7 @@ private:
             const gp_Pnt middle(corner.sum / static_cast<double>(corner.ends.size()));
             double tolerance = corner.tolerance;
             for (const gp_Pnt &end : corner.ends)
-                tolerance = std::max(tolerance, tolerance_margin * middle.Distance(end) + Precision::Confusion());
+                tolerance = std::max(tolerance, proven_margin * middle.Distance(end) + Precision::Confusion());
             TopoDS_Vertex vertex;
             m_builder.MakeVertex(vertex, middle, tolerance);
             m_vertices.push_back(vertex);
@@ -99,7 +100,8 @@ private:
 
     [[nodiscard]] static double edge_tolerance(const OffsetEdge &edge)
     {
-        return std::max(Precision::Confusion(), tolerance_margin * edge.surface_deviation);
+        return std::max(Precision::Confusion(),
+                        (edge.deviation.proven ? proven_margin : sampled_margin) * edge.deviation.bound);
     }
 
     TopoDS_Edge make_edge(std::size_t k)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "edge_curve.h"
 
+#include "edge_certificate.h"
+
 #include "../spline/knot_choice.h"
 #include "../spline/least_squares.h"
 
@@ -13,11 +15,13 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAbs_CurveType.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <GeomLib.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -91,9 +95,12 @@ Handle(Geom_Curve) iso_curve(const Geom_BSplineSurface &surface, const IsoLine &
     return Handle(Geom_Curve)(curve);
 }
 
-//! The line, circle or ellipse that a simple pcurve on an analytic surface is, in the pcurve's parameters.
+//! The curve that a pcurve on a plane is, and the line, circle or ellipse that a simple one on another
+//! analytic surface is, in the pcurve's parameters.
 Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
 {
+    if (const auto plane = Handle(Geom_Plane)::DownCast(c.surface); !plane.IsNull() && plane->Position().Direct())
+        return GeomLib::To3d(plane->Position().Ax2(), c.pcurve);
     const Adaptor3d_CurveOnSurface on_surface(new Geom2dAdaptor_Curve(c.pcurve, c.first, c.last),
                                               new GeomAdaptor_Surface(c.surface));
     switch (on_surface.GetType())
@@ -118,44 +125,55 @@ void add_pcurve_breaks(const CurveOnSurface &c, std::vector<DataBreak> &breaks)
         breaks.push_back({spline->Knot(i), std::max(0, spline->Degree() - spline->Multiplicity(i))});
 }
 
-//! Parameters at which the pcurve crosses a knot line of the surface.
-void add_crossings(const CurveOnSurface &c, bool along_u, double knot, int continuity, std::vector<DataBreak> &breaks)
+//! Where the pcurve's coordinate takes the value `knot` between a and b, which lie on either side of it.
+double crossing(const EdgeTarget &target, int direction, double knot, double a, double b)
 {
-    const auto height = [&](double t) {
-        const gp_Pnt2d p = c.pcurve->Value(t);
-        return (along_u ? p.X() : p.Y()) - knot;
-    };
-    double low = c.first;
-    double at_low = height(low);
-    for (int i = 1; i <= crossing_probes; ++i)
+    const bool rising = target.uv(a)[direction] < knot;
+    for (int k = 0; k < 60; ++k)
     {
-        const double end = c.first + (c.last - c.first) * i / crossing_probes;
-        const double at_end = height(end);
-        double a = low;
-        double b = end;
-        for (int k = 0; at_low * at_end < 0.0 && k < 60; ++k)
-        {
-            const double middle = 0.5 * (a + b);
-            (height(middle) * at_low > 0.0 ? a : b) = middle;
-        }
-        if (at_low * at_end < 0.0)
-            breaks.push_back({0.5 * (a + b), continuity});
-        low = end;
-        at_low = at_end;
+        const double middle = 0.5 * (a + b);
+        ((target.uv(middle)[direction] < knot) == rising ? a : b) = middle;
+    }
+    return 0.5 * (a + b);
+}
+
+//! Parameters at which the pcurve crosses a knot line of the surface.
+void add_crossings(const EdgeTarget &target, int direction, const KnotVector &kv, const std::vector<double> &probes,
+                   std::vector<DataBreak> &breaks)
+{
+    const std::vector<Knot> knots = kv.distinct();
+    double at_low = target.uv(probes.front())[direction];
+    for (std::size_t i = 1; i < probes.size(); ++i)
+    {
+        const double at_high = target.uv(probes[i])[direction];
+        const auto [low, high] = std::minmax(at_low, at_high);
+        const auto first = std::upper_bound(knots.begin(), knots.end(), low,
+                                            [](double value, const Knot &knot) { return value < knot.parameter; });
+        for (auto knot = first; knot != knots.end() && knot->parameter < high; ++knot)
+            if (knot != knots.begin() && knot + 1 != knots.end())
+                breaks.push_back({crossing(target, direction, knot->parameter, probes[i - 1], probes[i]),
+                                  kv.degree - knot->multiplicity});
+        at_low = at_high;
     }
 }
 
 //! All interior parameters at which the curve on the surface is less than smooth, merged.
-std::vector<DataBreak> composite_breaks(const CurveOnSurface &c)
+std::vector<DataBreak> composite_breaks(const EdgeTarget &target)
 {
+    const CurveOnSurface &c = target.on_surface();
     std::vector<DataBreak> breaks;
     add_pcurve_breaks(c, breaks);
-    if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface))
+    std::vector<double> probes;
+    for (int i = 0; i <= crossing_probes; ++i)
+        probes.push_back(c.first + (c.last - c.first) * i / crossing_probes);
+    for (const DataBreak &b : breaks)
+        if (b.parameter > c.first && b.parameter < c.last)
+            probes.push_back(b.parameter);
+    std::sort(probes.begin(), probes.end());
+    if (const TensorSpline *spline = target.spline())
     {
-        for (int i = spline->FirstUKnotIndex() + 1; i < spline->LastUKnotIndex(); ++i)
-            add_crossings(c, true, spline->UKnot(i), spline->UDegree() - spline->UMultiplicity(i), breaks);
-        for (int i = spline->FirstVKnotIndex() + 1; i < spline->LastVKnotIndex(); ++i)
-            add_crossings(c, false, spline->VKnot(i), spline->VDegree() - spline->VMultiplicity(i), breaks);
+        add_crossings(target, 0, spline->u, probes, breaks);
+        add_crossings(target, 1, spline->v, probes, breaks);
     }
     std::sort(breaks.begin(), breaks.end(), [](const auto &a, const auto &b) { return a.parameter < b.parameter; });
     std::vector<DataBreak> merged;
@@ -172,22 +190,19 @@ std::vector<DataBreak> composite_breaks(const CurveOnSurface &c)
     return merged;
 }
 
-RowMatrix sampled(const CurveOnSurface &c, const std::vector<double> &parameters, const gp_Pnt &origin)
+RowMatrix sampled(const EdgeTarget &target, const std::vector<double> &parameters, const Eigen::Vector3d &origin)
 {
     RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
     for (std::size_t i = 0; i < parameters.size(); ++i)
-    {
-        const gp_XYZ p = c.value(parameters[i]).XYZ() - origin.XYZ();
-        rows.row(static_cast<Eigen::Index>(i)) << p.X(), p.Y(), p.Z();
-    }
+        rows.row(static_cast<Eigen::Index>(i)) = (target.value(parameters[i]) - origin).transpose();
     return rows;
 }
 
-Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &poles, const gp_Pnt &origin)
+Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &poles, const Eigen::Vector3d &origin)
 {
     TColgp_Array1OfPnt points(1, static_cast<int>(poles.rows()));
     for (int i = 0; i < poles.rows(); ++i)
-        points(i + 1) = gp_Pnt(origin.XYZ() + gp_XYZ(poles(i, 0), poles(i, 1), poles(i, 2)));
+        points(i + 1) = gp_Pnt(origin.x() + poles(i, 0), origin.y() + poles(i, 1), origin.z() + poles(i, 2));
     const std::vector<Knot> distinct = kv.distinct();
     TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
     TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
@@ -199,17 +214,18 @@ Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &pole
     return new Geom_BSplineCurve(points, knots, multiplicities, kv.degree);
 }
 
-std::optional<EdgeCurve> fitted_curve(const CurveOnSurface &c, double tolerance)
+std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance)
 {
-    const gp_Pnt origin = c.value(0.5 * (c.first + c.last));
+    const CurveOnSurface &c = target.on_surface();
+    const Eigen::Vector3d origin = target.value(0.5 * (c.first + c.last));
     KnotProblem problem;
     problem.low = c.first;
     problem.high = c.last;
-    problem.breaks = composite_breaks(c);
+    problem.breaks = composite_breaks(target);
     problem.tolerance = 0.8 * tolerance;
     problem.min_degree = 3;
     problem.max_degree = 5;
-    problem.sample = [&](const std::vector<double> &parameters) { return sampled(c, parameters, origin); };
+    problem.sample = [&](const std::vector<double> &parameters) { return sampled(target, parameters, origin); };
     std::vector<double> ends{c.first};
     for (const DataBreak &b : problem.breaks)
         ends.push_back(b.parameter);
@@ -225,11 +241,11 @@ std::optional<EdgeCurve> fitted_curve(const CurveOnSurface &c, double tolerance)
         if (!solver)
             return std::nullopt;
         EdgeCurve result;
-        result.curve = curve_from(choice->knots, solver->solve(sampled(c, parameters, origin)), origin);
-        result.deviation = largest_distance(result.curve, c);
-        if (result.deviation <= tolerance)
+        result.curve = curve_from(choice->knots, solver->solve(sampled(target, parameters, origin)), origin);
+        result.deviation = target.deviation(result.curve, tolerance);
+        if (result.deviation.bound <= tolerance)
             return result;
-        problem.tolerance *= std::clamp(0.8 * tolerance / result.deviation, 0.2, 0.7);
+        problem.tolerance *= std::clamp(0.8 * tolerance / result.deviation.bound, 0.2, 0.7);
     }
     return std::nullopt;
 }
@@ -265,8 +281,62 @@ double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &
     return std::sqrt(worst);
 }
 
-std::optional<EdgeCurve> edge_curve(const CurveOnSurface &c, double tolerance)
+EdgeTarget::EdgeTarget(const CurveOnSurface &on_surface, const AnalyticSurface *form)
+    : m_on_surface(on_surface), m_form(form),
+      m_pcurve(AnalyticCurve::make(on_surface.pcurve, on_surface.first, on_surface.last))
 {
+}
+
+const TensorSpline *EdgeTarget::spline() const { return m_form ? m_form->spline() : nullptr; }
+
+Eigen::Vector2d EdgeTarget::uv(double t) const
+{
+    if (m_pcurve)
+        return m_pcurve->value(t).head<2>();
+    const gp_Pnt2d uv = m_on_surface.pcurve->Value(t);
+    return {uv.X(), uv.Y()};
+}
+
+Eigen::Vector3d EdgeTarget::value(double t) const
+{
+    const Eigen::Vector2d at = uv(t);
+    if (m_form)
+        return m_form->value(at.x(), at.y(), m_form->cell_at(at.x(), at.y()));
+    const gp_Pnt p = m_on_surface.surface->Value(at.x(), at.y());
+    return {p.X(), p.Y(), p.Z()};
+}
+
+std::optional<double> EdgeTarget::proven(const std::optional<AnalyticCurve> &curve, double target) const
+{
+    if (!curve || !m_form || !m_pcurve)
+        return std::nullopt;
+    const double bound = proven_deviation({*m_form, *m_pcurve, *curve, m_on_surface.first, m_on_surface.last, target});
+    return std::isfinite(bound) ? std::optional<double>(bound) : std::nullopt;
+}
+
+Deviation EdgeTarget::deviation(const Handle(Geom_Curve) & curve, double target) const
+{
+    const auto bound = proven(AnalyticCurve::make(curve, m_on_surface.first, m_on_surface.last), target);
+    return bound ? Deviation{*bound, true} : Deviation{largest_distance(curve, m_on_surface), false};
+}
+
+Deviation EdgeTarget::deviation(const gp_Pnt &point, double target) const
+{
+    const Eigen::Vector3d place(point.X(), point.Y(), point.Z());
+    if (const auto bound = proven(AnalyticCurve::point(place), target))
+        return {*bound, true};
+    double widest = 0.0;
+    for (int i = 0; i <= least_checks; ++i)
+    {
+        const double t = m_on_surface.first + (m_on_surface.last - m_on_surface.first) * i / least_checks;
+        widest = std::max(widest, (value(t) - place).norm());
+    }
+    return {widest, false};
+}
+
+std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
+{
+    const CurveOnSurface &c = target.on_surface();
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface);
     Handle(Geom_Curve) exact;
     if (spline.IsNull())
@@ -274,9 +344,9 @@ std::optional<EdgeCurve> edge_curve(const CurveOnSurface &c, double tolerance)
     else if (const std::optional<IsoLine> iso = iso_line(c))
         exact = iso_curve(*spline, *iso, c.first, c.last);
     if (!exact.IsNull())
-        if (const double deviation = largest_distance(exact, c); deviation <= tolerance)
+        if (const Deviation deviation = target.deviation(exact, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{exact, deviation};
-    return fitted_curve(c, tolerance);
+    return fitted_curve(target, tolerance);
 }
 
 } // namespace laminate_offset

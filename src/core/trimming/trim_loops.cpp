@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "trim_loops.h"
 
-#include "edge_curve.h"
-
 #include <BRep_Tool.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,8 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int error_samples = 200;
+// The sampled error is for information only; what counts is proven.
+constexpr int error_samples = 24;
 
 Failure refusal(const EdgeContext &context, Status status, const TrimmingCurve &curve, std::string message)
 {
@@ -35,7 +35,7 @@ Handle(Geom2d_Curve) shifted(const Handle(Geom2d_Curve) & pcurve, const gp_Vec2d
     return copy;
 }
 
-//! Largest distance of the curve from S + d N over the base's pcurve.
+//! Largest distance seen of the curve from S + d N over the base's pcurve.
 double error_of_edge(const EdgeContext &context, const TrimmingCurve &base, const Handle(Geom_Curve) & curve)
 {
     double worst = 0.0;
@@ -66,70 +66,117 @@ Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &b
     return Handle(Geom_Curve)::DownCast(curve->Translated(context.distance * normal));
 }
 
-double spread(const CurveOnSurface &c)
+//! The base edge's translate on a plane, where it is as near as it has to be, else a curve of the pcurve's own.
+std::optional<EdgeCurve> curve_of(const EdgeContext &context, const TrimmingCurve &base, const EdgeTarget &target)
 {
-    constexpr int probes = 16;
-    double widest = 0.0;
-    for (int i = 1; i <= probes; ++i)
-        widest = std::max(widest, c.value(c.first).Distance(c.value(c.first + (c.last - c.first) * i / probes)));
-    return widest;
+    if (const Handle(Geom_Curve) curve = translated(context, base); !curve.IsNull())
+        if (const Deviation deviation = target.deviation(curve, context.tolerance);
+            deviation.bound <= context.tolerance)
+            return EdgeCurve{curve, deviation};
+    return edge_curve(target, context.tolerance);
 }
 
-Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &base)
+Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &base, const AnalyticSurface *form)
 {
     OffsetEdge edge;
     edge.first = base.first;
     edge.last = base.last;
     edge.pcurve = shifted(base.pcurve, context.surface.parameter_shift);
     const CurveOnSurface on_surface{context.surface.geometry, edge.pcurve, base.first, base.last};
-    if (base.degenerated && spread(on_surface) <= std::max(context.tolerance, Precision::Confusion()))
-        return edge;
-    if (base.degenerated && on_surface.value(base.first).Distance(on_surface.value(base.last)) > Precision::Confusion())
-        return refusal(context, Status::SingularNormal, base,
-                       "The surface comes to a point at the reported place with different normals from different "
-                       "sides, so the offset opens up there; trim the face clear of it.");
-    edge.curve = translated(context, base);
-    if (!edge.curve.IsNull())
-        edge.surface_deviation = std::max(largest_distance(edge.curve, on_surface), Precision::Confusion());
-    else if (const std::optional<EdgeCurve> fitted = edge_curve(on_surface, context.tolerance))
+    const EdgeTarget target(on_surface, form);
+    if (base.degenerated)
     {
-        edge.curve = fitted->curve;
-        edge.surface_deviation = fitted->deviation;
+        const double admissible = std::max(context.tolerance, Precision::Confusion());
+        edge.deviation = target.deviation(on_surface.value(base.first), admissible);
+        if (edge.deviation.bound <= admissible)
+            return edge;
+        if (on_surface.value(base.first).Distance(on_surface.value(base.last)) > Precision::Confusion())
+            return refusal(context, Status::SingularNormal, base,
+                           "The surface comes to a point at the reported place with different normals from different "
+                           "sides, so the offset opens up there; trim the face clear of it.");
     }
-    else
+    const std::optional<EdgeCurve> made = curve_of(context, base, target);
+    if (!made)
         return refusal(
             context, Status::EdgeToleranceNotReached, base,
             fmt::format("The edge curve at the reported place could not be brought within {:.3g} mm; loosen the "
                         "tolerance or repair the trimming curve.",
                         context.tolerance));
+    edge.curve = made->curve;
+    edge.deviation = made->deviation;
     edge.sampled_error = error_of_edge(context, base, edge.curve);
     return edge;
 }
 
+//! The pcurve on the other side of a seam is carried over too, and the edge's deviation holds for both.
+void add_second_side(const EdgeContext &context, const TrimmingCurve &curve, const AnalyticSurface *form,
+                     OffsetEdge &edge)
+{
+    if (edge.curve.IsNull())
+        return;
+    edge.second_pcurve = shifted(curve.pcurve, context.surface.parameter_shift);
+    const EdgeTarget other({context.surface.geometry, edge.second_pcurve, edge.first, edge.last}, form);
+    const Deviation deviation = other.deviation(edge.curve, context.tolerance);
+    edge.deviation.bound = std::max(edge.deviation.bound, deviation.bound);
+    edge.deviation.proven = edge.deviation.proven && deviation.proven;
+}
+
+//! The first use of every edge, in the order of the map.
+std::vector<const TrimmingCurve *> first_uses(const EdgeContext &context, TopTools_IndexedMapOfShape &bases)
+{
+    std::vector<const TrimmingCurve *> uses;
+    for (const TrimmingLoop &loop : context.input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            if (static_cast<std::size_t>(bases.Add(curve.edge)) > uses.size())
+                uses.push_back(&curve);
+    return uses;
+}
+
 } // namespace
+
+std::optional<double> TrimLoops::edge_error(const std::optional<double> &certified_error) const
+{
+    if (!certified_error)
+        return std::nullopt;
+    double worst = 0.0;
+    for (const OffsetEdge &edge : edges)
+    {
+        if (!edge.deviation.proven)
+            return std::nullopt;
+        worst = std::max(worst, edge.deviation.bound);
+    }
+    return worst + *certified_error;
+}
+
+double TrimLoops::sampled_error() const
+{
+    double worst = 0.0;
+    for (const OffsetEdge &edge : edges)
+        worst = std::max(worst, edge.sampled_error);
+    return worst;
+}
 
 Result<TrimLoops> offset_loops(const EdgeContext &context)
 {
     TrimLoops loops;
+    const std::vector<const TrimmingCurve *> uses = first_uses(context, loops.bases);
+    const std::optional<AnalyticSurface> analytic = AnalyticSurface::make(context.surface.geometry);
+    const AnalyticSurface *form = analytic ? &*analytic : nullptr;
+    std::vector<std::optional<Result<OffsetEdge>>> made(uses.size());
+    tbb::parallel_for(std::size_t{0}, uses.size(),
+                      [&](std::size_t k) { made[k] = offset_edge(context, *uses[k], form); });
+    for (std::optional<Result<OffsetEdge>> &edge : made)
+    {
+        if (!edge->ok())
+            return edge->failure();
+        loops.edges.push_back(std::move(*edge).value());
+    }
     for (const TrimmingLoop &loop : context.input.loops)
         for (const TrimmingCurve &curve : loop.curves)
         {
-            const int known = loops.bases.FindIndex(curve.edge);
-            if (known > 0)
-            {
-                OffsetEdge &edge = loops.edges[static_cast<std::size_t>(known) - 1];
-                if (!curve.seam || edge.curve.IsNull())
-                    continue;
-                edge.second_pcurve = shifted(curve.pcurve, context.surface.parameter_shift);
-                const CurveOnSurface other{context.surface.geometry, edge.second_pcurve, edge.first, edge.last};
-                edge.surface_deviation = std::max(edge.surface_deviation, largest_distance(edge.curve, other));
-                continue;
-            }
-            Result<OffsetEdge> edge = offset_edge(context, curve);
-            if (!edge)
-                return edge.failure();
-            loops.bases.Add(curve.edge);
-            loops.edges.push_back(std::move(edge).value());
+            const auto k = static_cast<std::size_t>(loops.bases.FindIndex(curve.edge)) - 1;
+            if (curve.seam && &curve != uses[k])
+                add_second_side(context, curve, form, loops.edges[k]);
         }
     return loops;
 }

@@ -10,6 +10,7 @@
 #include "../base/result.h"
 #include "../input/input_face.h"
 #include "../surface/offset_surface.h"
+#include "edge_curve.h"
 
 #include <Geom_Curve.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -27,8 +28,8 @@ struct OffsetEdge
     Handle(Geom2d_Curve) second_pcurve; //!< of a seam, else null
     double first = 0.0;
     double last = 0.0;
-    double surface_deviation = 0.0; //!< largest distance seen of the curve from the offset surface at its pcurve [mm]
-    double sampled_error = 0.0;     //!< largest distance seen from the exact offset of the base edge [mm]
+    Deviation deviation;        //!< of the curve, or the point, from the offset surface at its pcurves
+    double sampled_error = 0.0; //!< largest distance seen from the exact offset of the base edge [mm]
 };
 
 //! The offset edges; edge k belongs to the base edge bases(k + 1).
@@ -36,6 +37,13 @@ struct TrimLoops
 {
     TopTools_IndexedMapOfShape bases;
     std::vector<OffsetEdge> edges;
+
+    //! Proven bound of the distance [mm] of every edge from the exact offset of its base edge at equal
+    //! parameters: through the offset surface, which keeps within `certified_error` there. Nothing where a
+    //! part of it is not proven.
+    [[nodiscard]] std::optional<double> edge_error(const std::optional<double> &certified_error) const;
+    //! Largest such distance seen [mm].
+    [[nodiscard]] double sampled_error() const;
 };
 
 //! Everything an edge is fitted against.
