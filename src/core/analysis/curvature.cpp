@@ -19,6 +19,7 @@ constexpr int deepest_singular_piece = 10;
 // Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
 constexpr double smallest_piece = 1e-5;
 constexpr int most_steps = 4000;
+constexpr int steps_after_decision = 200;
 // Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
 constexpr double singular_sine = 1e-8;
 // Curvature times extent below which a limit is of no interest.
@@ -54,6 +55,7 @@ struct SideGoal
     double gap = 1e-3;
     double floor = 0.0;      //!< turned curvature below which nothing matters
     double resolution = 0.0; //!< length [mm] below which curvature is rounding
+    bool deciding = false;   //!< the search serves one distance; its limits are a by-product
 };
 
 //! Best-first search for one side's extreme.
@@ -62,7 +64,7 @@ class SideSearch
 public:
     SideSearch(const LoopRegion &region, const SideGoal &goal, const Best &start)
         : m_region(region), m_sign(goal.sign), m_threshold(goal.threshold), m_gap(goal.gap), m_floor(goal.floor),
-          m_best(start), m_bounder(goal.resolution)
+          m_deciding(goal.deciding), m_best(start), m_bounder(goal.resolution)
     {
     }
 
@@ -86,7 +88,7 @@ public:
     CurvatureBound run()
     {
         bool complete = true;
-        for (int count = 0; count < most_steps && !m_queue.empty() && !closed(m_queue.top().bound); ++count)
+        for (int count = 0; !m_queue.empty() && count < budget() && !closed(m_queue.top().bound); ++count)
         {
             Node node = m_queue.top();
             m_queue.pop();
@@ -110,6 +112,13 @@ private:
     {
         const bool undecided = m_threshold > m_best.value && m_threshold <= bound;
         return !undecided && bound <= std::max(m_best.value * (1.0 + m_gap), m_floor);
+    }
+
+    //! A distance that is proven to be feasible waits no longer for a sharper limit than this.
+    [[nodiscard]] int budget() const
+    {
+        const bool decided = m_threshold == 0.0 || (m_best.value < m_threshold && m_queue.top().bound < m_threshold);
+        return m_deciding && decided ? steps_after_decision : most_steps;
     }
 
     void settle(double bound) { m_settled = std::max(m_settled, bound); }
@@ -155,6 +164,7 @@ private:
     double m_threshold;
     double m_gap;
     double m_floor;
+    bool m_deciding;
     Best m_best;
     double m_settled = 0.0;
     CurvaturePieceBounder m_bounder;
@@ -233,9 +243,10 @@ CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &
                 {start.second.value, start.second.value, start.second.uv, true}};
     const double floor = irrelevant_curvature / search.extent;
     const double resolution = smallest_piece * search.extent;
-    const double threshold = search.distance == 0.0 ? 0.0 : 1.0 / search.distance;
-    SideSearch lowest(region, {-1.0, std::max(0.0, -threshold), search.gap, floor, resolution}, start.first);
-    SideSearch highest(region, {1.0, std::max(0.0, threshold), search.gap, floor, resolution}, start.second);
+    const bool deciding = search.distance != 0.0;
+    const double threshold = deciding ? 1.0 / search.distance : 0.0;
+    SideSearch lowest(region, {-1.0, std::max(0.0, -threshold), search.gap, floor, resolution, deciding}, start.first);
+    SideSearch highest(region, {1.0, std::max(0.0, threshold), search.gap, floor, resolution, deciding}, start.second);
     const std::vector<double> us = base.spline()->u.breaks();
     const std::vector<double> vs = base.spline()->v.breaks();
     SplinePieces pieces(*base.spline(), us, vs);

@@ -43,10 +43,12 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
 //! What to search for.
 struct CurvatureSearch
 {
-    double distance = 0.0; //!< [mm] along S_u x S_v: the search for that side's extreme goes on until it is
-                           //!< decided whether 1 / distance lies beyond it; 0 for none
-    double gap = 1e-3;     //!< relative width between proven and attained at which a search ends
-    double extent = 1.0;   //!< [mm] size of the face; radii above a hundred extents are not pinned down
+    //! [mm] along S_u x S_v. The search for that side's extreme goes on until it is decided whether
+    //! 1 / distance lies beyond it, and the limits are left wide (but proven) soon after. 0: the limits
+    //! themselves are wanted.
+    double distance = 0.0;
+    double gap = 1e-3;   //!< relative width between proven and attained at which a search ends
+    double extent = 1.0; //!< [mm] size of the face; radii above a hundred extents are not pinned down
 };
 
 //! Branch and bound over the pieces that the loops touch.
