@@ -208,14 +208,19 @@ Eigen::Vector3d CurvePiece::value(double t) const { return m_curve->value_on(m_s
 
 CurveReach CurvePiece::conic_reach(double rho) const
 {
-    // all derivatives are bounded by those at the middle: the Taylor series sums to e^|s| - 1
+    // Taylor's series about the middle: the first term is linear, the bounds of the others sum to e^|s| - 1 - |s|
     CurveReach reach{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.5 * (rho + 1.0 / rho)};
-    const double s = 0.5 * (m_b - m_a) * reach.stretch;
+    const double m = 0.5 * (m_a + m_b);
+    const double half = 0.5 * (m_b - m_a);
+    const double s = half * reach.stretch;
     const bool circular = m_curve->m_kind == AnalyticCurve::Kind::Circular;
-    const double factor = circular && rho == 1.0 ? std::min(s, 2.0)
-                          : circular             ? std::expm1(s)
-                                                 : std::expm1(s) * std::cosh(0.5 * (m_a + m_b));
-    reach.total = factor * (m_curve->m_a1.cwiseAbs() + m_curve->m_a2.cwiseAbs());
+    const Eigen::Vector3d slope = circular
+                                      ? Eigen::Vector3d(std::cos(m) * m_curve->m_a2 - std::sin(m) * m_curve->m_a1)
+                                      : Eigen::Vector3d(std::sinh(m) * m_curve->m_a1 + std::cosh(m) * m_curve->m_a2);
+    const double remainder = circular && rho == 1.0 ? 0.5 * s * s : std::expm1(s) - s;
+    reach.chord = half * slope.cwiseAbs();
+    reach.total = reach.stretch * reach.chord +
+                  (circular ? 1.0 : std::cosh(m)) * remainder * (m_curve->m_a1.cwiseAbs() + m_curve->m_a2.cwiseAbs());
     return reach;
 }
 
