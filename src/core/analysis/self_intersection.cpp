@@ -4,6 +4,7 @@
 #include "patch_tree.h"
 
 #include <Eigen/Dense>
+#include <Precision.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace
 constexpr int most_pairs = 60000;
 constexpr int most_newton_starts = 400;
 constexpr int newton_steps = 12;
+// After these steps the residual has to halve at every further one.
+constexpr int free_newton_steps = 3;
 // A pair of pieces is tried by Newton's method once in so many halvings.
 constexpr int newton_interval = 3;
 constexpr int deepest_self = 14;
@@ -40,18 +43,39 @@ struct Periods
     double v = 0.0;
 };
 
-Periods periods_of(const InputFace &input)
+//! Do the two ends of one parameter show the same curve within the tolerance?
+bool ends_meet(const Geom_Surface &surface, const std::array<double, 4> &bounds, bool along_u, double tolerance)
+{
+    constexpr int samples = 6;
+    const auto [u0, u1, v0, v1] = bounds;
+    for (const double bound : bounds)
+        if (Precision::IsInfinite(bound))
+            return false;
+    for (int i = 0; i <= samples; ++i)
+    {
+        const double s = static_cast<double>(i) / samples;
+        const double u = u0 + s * (u1 - u0);
+        const double v = v0 + s * (v1 - v0);
+        const double gap = along_u ? surface.Value(u0, v).Distance(surface.Value(u1, v))
+                                   : surface.Value(u, v0).Distance(surface.Value(u, v1));
+        if (gap > tolerance)
+            return false;
+    }
+    return true;
+}
+
+Periods periods_of(const InputFace &input, double tolerance)
 {
     double u0, u1, v0, v1;
     input.surface->Bounds(u0, u1, v0, v1);
     Periods periods;
     if (input.surface->IsUPeriodic())
         periods.u = input.surface->UPeriod();
-    else if (input.surface->IsUClosed())
+    else if (ends_meet(*input.surface, {u0, u1, v0, v1}, true, tolerance))
         periods.u = u1 - u0;
     if (input.surface->IsVPeriodic())
         periods.v = input.surface->VPeriod();
-    else if (input.surface->IsVClosed())
+    else if (ends_meet(*input.surface, {u0, u1, v0, v1}, false, tolerance))
         periods.v = v1 - v0;
     return periods;
 }
@@ -83,6 +107,17 @@ class MeetingSolver
 public:
     explicit MeetingSolver(const SelfIntersectionQuery &query) : m_query(query), m_box(query.analysis.base.box()) {}
 
+    //! Base points of a meeting lie at least so far apart.
+    [[nodiscard]] double least_apart() const
+    {
+        return std::max(least_separation * std::abs(m_query.distance), 4.0 * m_query.tolerance);
+    }
+
+    [[nodiscard]] double apart(const Place &place) const
+    {
+        return (base(place.x(), place.y()).s - base(place.z(), place.w()).s).norm();
+    }
+
     //! A meeting of the offset that is none of the base, from a start close to it.
     [[nodiscard]] std::optional<SelfMeeting> meeting(const Place &start) const
     {
@@ -90,9 +125,7 @@ public:
         const std::optional<Place> place = solve(offset, start);
         if (!place || !inside(*place))
             return std::nullopt;
-        const Eigen::Vector3d apart = base(place->x(), place->y()).s - base(place->z(), place->w()).s;
-        const double least = std::max(least_separation * std::abs(m_query.distance), 4.0 * m_query.tolerance);
-        if (apart.norm() < least || base_meets(*place))
+        if (apart(*place) < least_apart() || base_meets(*place))
             return std::nullopt;
         return SelfMeeting{{place->x(), place->y()}, {place->z(), place->w()}};
     }
@@ -145,6 +178,7 @@ private:
         const Eigen::Vector4d scale(m_box.umax - m_box.umin, m_box.vmax - m_box.vmin, m_box.umax - m_box.umin,
                                     m_box.vmax - m_box.vmin);
         Place place = start;
+        double before = std::numeric_limits<double>::infinity();
         for (int step = 0; step < newton_steps; ++step)
         {
             const SurfaceJet a = surface(place.x(), place.y());
@@ -152,6 +186,9 @@ private:
             const Eigen::Vector3d residual = a.s - b.s;
             if (residual.norm() <= coincidence * m_query.input.diagonal)
                 return place;
+            if (residual.norm() > before)
+                return std::nullopt;
+            before = step < free_newton_steps ? before : 0.5 * residual.norm();
             Eigen::Matrix<double, 3, 4> jacobian;
             jacobian << a.u, a.v, -b.u, -b.v;
             jacobian *= scale.asDiagonal();
@@ -174,7 +211,7 @@ class PairSearch
 {
 public:
     explicit PairSearch(const SelfIntersectionQuery &query)
-        : m_query(query), m_tree(query.offset), m_solver(query), m_periods(periods_of(query.input)),
+        : m_query(query), m_tree(query.offset), m_solver(query), m_periods(periods_of(query.input, query.tolerance)),
           m_resolution(resolution_share * query.tolerance)
     {
     }
@@ -355,9 +392,14 @@ private:
     {
         if ((a.halvings + b.halvings) % newton_interval != 0 || m_newton_starts >= most_newton_starts)
             return false;
-        ++m_newton_starts;
         const Place start(0.5 * (a.box.umin + a.box.umax), 0.5 * (a.box.vmin + a.box.vmax),
                           0.5 * (b.box.umin + b.box.umax), 0.5 * (b.box.vmin + b.box.vmax));
+        // pieces far larger than the distance start too far off; neighbours, seams and poles have their base points
+        // together
+        const double size = a.bounds.point.diagonal().norm() + b.bounds.point.diagonal().norm();
+        if (size > 4.0 * std::abs(m_query.distance) || m_solver.apart(start) + 2.0 * size < m_solver.least_apart())
+            return false;
+        ++m_newton_starts;
         m_result.meeting = m_solver.meeting(start);
         return m_result.meeting.has_value();
     }
