@@ -84,6 +84,8 @@ private:
             {input.value(), analysis.value().base, surface.value(), distance, edge_share * m_options.tolerance});
         if (!loops)
             return loops.failure();
+        if (const Result<bool> close = check_edges(input.value(), surface.value(), loops.value()); !close)
+            return close.failure();
         enter(Stage::Topology);
         const Result<TopoDS_Face> face = build_face(input.value(), surface.value(), loops.value());
         if (!face)
@@ -118,6 +120,27 @@ private:
         if (spline.IsNull())
             return true;
         return check_self_intersection({analysis, input, from_geom(spline), distance, m_options.tolerance});
+    }
+
+    //! A base whose seam closes only within its own tolerance passes that gap on to the offset's seam.
+    Result<bool> check_edges(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops) const
+    {
+        const std::optional<double> error = loops.edge_error(surface.certified_error);
+        if (!error || *error <= m_options.tolerance)
+            return true;
+        const auto worst =
+            std::max_element(loops.edges.begin(), loops.edges.end(), [](const OffsetEdge &a, const OffsetEdge &b) {
+                return a.deviation.bound < b.deviation.bound;
+            });
+        const gp_Pnt2d uv =
+            worst->pcurve->Value(0.5 * (worst->first + worst->last)).Translated(-surface.parameter_shift);
+        const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
+        return Failure{
+            Status::EdgeToleranceNotReached, Stage::Trimming,
+            fmt::format("The edge at the reported place is off by up to {:.3g} mm, because the base does not "
+                        "close there any better; loosen the tolerance or repair the base's seam.",
+                        *error),
+            Where{uv, point}, std::nullopt};
     }
 
     //! An exact kind names the limit that was passed; what is known of the other side comes from the analysis.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace laminate_offset
@@ -69,9 +70,11 @@ public:
     }
 
     //! Takes a piece whose rough bounds are known; its centre has been probed.
-    void add(const std::pair<double, double> &rough, const RationalPiece &piece, const ParameterBox &box, int depth)
+    //! \param known a bound of a piece that holds this one.
+    void add(const std::pair<double, double> &rough, const RationalPiece &piece, const ParameterBox &box, int depth,
+             double known = std::numeric_limits<double>::infinity())
     {
-        const double bound = m_sign > 0.0 ? rough.second : -rough.first;
+        const double bound = std::min(known, m_sign > 0.0 ? rough.second : -rough.first);
         if (closed(bound))
             settle(bound);
         else
@@ -134,14 +137,14 @@ private:
             m_queue.push(std::move(node));
     }
 
-    void add_half(const RationalPiece &piece, const ParameterBox &box, int depth)
+    void add_half(const RationalPiece &piece, const ParameterBox &box, int depth, double known)
     {
         if (!m_region.may_touch(box))
             return;
         const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
         if (const auto k = m_bounder.at_centre(piece))
             offer(*k, middle);
-        add(m_bounder.rough(piece), piece, box, depth);
+        add(m_bounder.rough(piece), piece, box, depth, known);
     }
 
     void split(Node &node)
@@ -155,8 +158,8 @@ private:
             low.umax = high.umin = 0.5 * (low.umin + low.umax);
         else
             low.vmax = high.vmin = 0.5 * (low.vmin + low.vmax);
-        add_half(node.piece, low, node.depth + 1);
-        add_half(upper, high, node.depth + 1);
+        add_half(node.piece, low, node.depth + 1, node.bound);
+        add_half(upper, high, node.depth + 1, node.bound);
     }
 
     const LoopRegion &m_region;
