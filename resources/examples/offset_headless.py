@@ -17,7 +17,6 @@ input.
 import argparse
 import os
 import sys
-import tempfile
 
 # The add-on is two folders up; inside FreeCAD it is on the path anyway.
 sys.path.append(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
@@ -26,6 +25,7 @@ import laminate_offset  # noqa: E402  (finds FreeCAD's modules, too)
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
 from laminate_offset.features.offset_face import make_offset_face  # noqa: E402
+from laminate_offset.files import FileError, save_document  # noqa: E402
 
 
 def arguments() -> argparse.Namespace:
@@ -57,15 +57,6 @@ def load(path: str) -> "App.Document":
     return doc
 
 
-def save(doc: "App.Document", path: str) -> None:
-    """Writes beside the target first, so that an interrupted run never damages an existing file."""
-    folder = os.path.dirname(os.path.abspath(path))
-    with tempfile.TemporaryDirectory(dir=folder) as scratch:
-        temporary = os.path.join(scratch, "offset.FCStd")
-        doc.saveAs(temporary)
-        os.replace(temporary, path)
-
-
 def main() -> int:
     """Runs the job. Returns the exit code."""
     options = arguments()
@@ -79,7 +70,11 @@ def main() -> int:
     if offset.Status != "ok":
         print(f"refused ({offset.Status}): {offset.Message}", file=sys.stderr)
         return 1
-    save(doc, options.out)
+    try:
+        save_document(doc, options.out)
+    except FileError as error:
+        print(f"offset_headless: {error}", file=sys.stderr)
+        return 2
     print(f"{offset.Message}\nwritten: {os.path.abspath(options.out)}")
     return 0
 

@@ -4,6 +4,7 @@
 import os
 import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import FreeCAD
 import Part
@@ -11,6 +12,7 @@ import pytest
 import sample_shapes
 from laminate_offset import files
 from laminate_offset._freecad import add_workbench_folders
+from laminate_offset.view_settings import PART, Look, add_view_settings
 
 ENDINGS = [".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd", ".STEP", ".IGS", ".Brep", ".FCStd"]
 
@@ -101,6 +103,41 @@ def test_a_written_document_has_one_labelled_feature(tmp_path: Path) -> None:
         assert document.Objects[0].Shape.ShapeType == "Face"
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def test_a_document_saved_without_the_gui_opens_in_it_as_meant(tmp_path: Path) -> None:
+    path = str(tmp_path / "model.FCStd")
+    document = FreeCAD.newDocument("model", hidden=True)
+    try:
+        document.addObject("Part::Box", "Box")
+        document.addObject("Part::Cylinder", "Cylinder").Visibility = False
+        files.save_document(document, path, {"Box": Look((1.0, 0.5, 0.0), 35)})
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    with zipfile.ZipFile(path) as archive:
+        views = {view.get("name"): view for view in ElementTree.fromstring(archive.read(PART)).iter("ViewProvider")}
+    assert list(views) == ["Box", "Cylinder"]
+    assert [view.find(".//Property[@name='Visibility']/Bool").get("value") for view in views.values()] == [
+        "true",
+        "false",
+    ]
+    assert views["Box"].find(".//Property[@name='ShapeColor']/PropertyColor").get("value") == str(0xFF800000)
+    assert views["Box"].find(".//Property[@name='Transparency']/Integer").get("value") == "35"
+    assert views["Cylinder"].find(".//Property[@name='ShapeColor']") is None
+    assert os.listdir(tmp_path) == ["model.FCStd"]
+
+
+def test_view_settings_of_the_gui_are_kept(tmp_path: Path) -> None:
+    path = str(tmp_path / "model.FCStd")
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(PART, "the user's own")
+    document = FreeCAD.newDocument("model", hidden=True)
+    try:
+        add_view_settings(path, document)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    with zipfile.ZipFile(path) as archive:
+        assert archive.namelist() == [PART] and archive.read(PART) == b"the user's own"
 
 
 def test_a_lost_object_is_not_passed_over(tmp_path: Path) -> None:

@@ -51,6 +51,7 @@ def test_document_holds_base_and_parametric_offset(tmp_path):
     assert len(shapes) == 2 and len(set(shapes)) == 2
     visible = re.findall(r'<ViewProvider name="(\w+)".*?"Visibility".*?<Bool value="true"/>', views)
     assert visible == ["Base", "Offset"], "FreeCAD hides what has no view settings"
+    assert 'module="laminate_offset.gui.view_providers.offset_face" class="OffsetFaceViewProvider"' in views
 
 
 def test_document_of_a_refused_offset_is_not_written(tmp_path):

@@ -24,3 +24,7 @@ def test_long_work_is_cancelled_with_escape():
 
 def test_free_form_panel_to_both_sides():
     run_scenario("panel")
+
+
+def test_documents_written_without_the_gui():
+    run_scenario("headless")

@@ -7,13 +7,14 @@ import shutil
 import tempfile
 import zipfile
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, List, Set
+from typing import Any, Callable, Iterator, List, Mapping, Optional, Set
 from xml.etree.ElementTree import iterparse
 
 import FreeCAD
 import Part
 
 from ._freecad import add_workbench_folders
+from .view_settings import OFFSET_LOOK, Look, add_view_settings
 
 FORMATS = {
     ".step": "STEP",
@@ -65,6 +66,16 @@ def write_shape(shape: "Part.Shape", path: str, label: str) -> None:
     write = {"STEP": _write_step, "IGES": _write_iges, "BREP": _write_brep, "FCStd": _write_document}[format_of(path)]
     with replacing(path) as temporary:
         write(shape, temporary, label)
+
+
+def save_document(document: Any, path: str, looks: Optional[Mapping[str, Look]] = None) -> None:
+    """Saves a document so that it opens in the GUI as meant, also when there is no GUI now; replaces a file in one step.
+
+    looks: colours of objects by their names, where there is no GUI.
+    """
+    with replacing(path) as temporary:
+        document.saveAs(temporary)
+        add_view_settings(temporary, document, looks)
 
 
 def write_json(content: Any, path: str) -> None:
@@ -190,4 +201,6 @@ def _write_document(shape: "Part.Shape", path: str, label: str) -> None:
         feature = document.addObject("Part::Feature", "Offset")
         feature.Label = label
         feature.Shape = shape
+        feature.purgeTouched()  # nothing is left to be computed
         document.saveAs(path)
+        add_view_settings(path, document, {feature.Name: OFFSET_LOOK})

@@ -11,6 +11,7 @@ import Part
 import laminate_offset as lo
 
 from .. import messages
+from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
 from .base_face import linked_faces, place_result, rooted
 from .properties import HIDDEN, READ_ONLY, Property, add_missing
@@ -60,6 +61,10 @@ _PROPERTIES = (
 class OffsetFaceFeature:
     """Proxy of the Part::FeaturePython object. It keeps no state: all of it is in properties."""
 
+    VIEW_PROVIDER = ViewProvider(
+        "laminate_offset.gui.view_providers.offset_face", "OffsetFaceViewProvider", OFFSET_LOOK
+    )
+
     def __init__(self, obj: Any):
         obj.Proxy = self
         self._prepare(obj)
@@ -69,8 +74,9 @@ class OffsetFaceFeature:
         recompute_offset(obj)
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Adds what an older version did not have."""
+        """Adds what an older version, or a document saved without the GUI, does not have."""
         self._prepare(obj)
+        _attach_view_provider(obj)
 
     def dumps(self) -> None:
         """Nothing to save (FreeCAD 0.21 and later)."""
@@ -125,11 +131,16 @@ def add_offset_face(doc: Any, name: Optional[str] = None) -> Any:
     """Adds an offset that has no base face yet."""
     feature = doc.addObject("Part::FeaturePython", name or "OffsetFace")
     OffsetFaceFeature(feature)
-    if App.GuiUp:
-        from ..gui.view_providers.offset_face import OffsetFaceViewProvider
-
-        OffsetFaceViewProvider(feature.ViewObject)
+    _attach_view_provider(feature)
     return feature
+
+
+def _attach_view_provider(feature: Any) -> None:
+    """Where the GUI is up, gives the object the view provider that it does not have yet."""
+    if App.GuiUp:
+        from ..gui.view_providers.offset_face import attach_missing
+
+        attach_missing(feature.ViewObject)
 
 
 def set_base(feature: Any, base: Any, subs: Iterable[str]) -> None:

@@ -5,13 +5,17 @@ from typing import Any
 
 from .. import progress as progress_dialog
 from ...features import progress
+from ...view_settings import OFFSET_LOOK
 from ..resources import icon
 
-#: A blue that differs from FreeCAD's grey default; see-through enough to show the base behind it.
-COLOUR = (0.36, 0.59, 0.84)
-TRANSPARENCY = 35
-
 progress.install(progress_dialog.dialog)
+
+
+def attach_missing(vobj: Any) -> None:
+    """Makes the view provider of a new object, or of one from a document that never saw the GUI."""
+    if not isinstance(vobj.Proxy, OffsetFaceViewProvider):
+        OffsetFaceViewProvider(vobj)
+        vobj.Visibility = True  # FreeCAD hides what comes without view settings
 
 
 class OffsetFaceViewProvider:
@@ -19,8 +23,8 @@ class OffsetFaceViewProvider:
 
     def __init__(self, vobj: Any):
         vobj.Proxy = self
-        vobj.ShapeColor = COLOUR
-        vobj.Transparency = TRANSPARENCY
+        vobj.ShapeColor = OFFSET_LOOK.colour
+        vobj.Transparency = OFFSET_LOOK.transparency
 
     def attach(self, vobj: Any) -> None:
         """Called by FreeCAD at creation and after loading."""
