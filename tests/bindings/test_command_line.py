@@ -228,6 +228,21 @@ def test_ctrl_c_writes_nothing(launcher: Path, tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["many.brep"]
 
 
+@pytest.mark.parametrize("ending", ["| true", "2>&1 | true", ">&-", "2>&-", "<&- >&- 2>&-"])
+def test_results_are_written_when_nobody_reads_the_lines(
+    ending: str, launcher: Path, rod: Path, tmp_path: Path
+) -> None:
+    command = f"{launcher} offset {rod} --face all --distance -12 -o out.brep --report report.json"
+    for _attempt in range(3):  # `true` may end before the first line or after it
+        done = subprocess.run(
+            ["bash", "-c", f"{command} {ending}; exit ${{PIPESTATUS[0]}}"], cwd=tmp_path, capture_output=True, text=True
+        )
+        assert done.returncode == 1 and "Traceback" not in done.stderr, done.stderr
+        assert len(json.loads((tmp_path / "report.json").read_text())) == 3
+        assert len(files.read_faces(str(tmp_path / "out.brep"))) == 2
+        (tmp_path / "report.json").unlink()
+
+
 def test_progress_is_drawn_on_a_terminal_only(launcher: Path, wing: Path, tmp_path: Path) -> None:
     pytest.importorskip("tqdm", reason="tqdm is not installed")
     controller, terminal = pty.openpty()

@@ -16,6 +16,7 @@ from . import __version__, _core
 from .api import OffsetResult, Progress, offset_face, offset_limits
 from .errors import OffsetError
 from .files import FileError, check_writable, format_of, read_faces, write_json, write_shape
+from .lines import take_over
 
 DONE, REFUSED, BAD_USAGE, CANCELLED = 0, 1, 2, 130
 
@@ -23,11 +24,11 @@ DONE, REFUSED, BAD_USAGE, CANCELLED = 0, 1, 2, 130
 def main(argv: Optional[List[str]] = None) -> int:
     """Runs the command line of this process and returns its exit code.
 
-    Everything that the geometry kernel or FreeCAD prints to standard output is dropped: only our own lines go there.
+    Only our own lines go to standard output; whether they are read makes no difference to the files that are written.
     """
     arguments = build_parser().parse_args(_glue_negative_numbers(sys.argv[1:] if argv is None else argv))
-    with _take_over_stdout() as out:
-        return run(arguments, out, sys.stderr)
+    out, err = take_over()
+    return run(arguments, out, err)
 
 
 def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
@@ -144,15 +145,6 @@ def _glue_negative_numbers(argv: List[str]) -> List[str]:
         else:
             glued.append(text)
     return glued
-
-
-def _take_over_stdout() -> TextIO:
-    """A stream to standard output for our own use; whatever else is printed there from now on is dropped."""
-    sys.stdout.flush()
-    own = os.fdopen(os.dup(1), "w", encoding="utf-8", buffering=1)
-    with open(os.devnull, "wb") as nowhere:
-        os.dup2(nowhere.fileno(), 1)
-    return own
 
 
 def _offset(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
