@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 using namespace laminate_offset;
 using namespace test_support;
 
@@ -18,7 +20,8 @@ namespace
 {
 
 constexpr double tolerance = 1e-3;
-constexpr double clearly = 0.02; // a curvature factor so far from zero leaves no doubt on a dense grid
+constexpr double clearly = 0.02;         // a curvature factor so far from zero leaves no doubt on a dense grid
+constexpr double oracle_rounding = 1e-9; // mm, of the oracle's own evaluation and search on models of metres
 
 Result<OffsetResult> offset(const TopoDS_Face &face, double distance)
 {
@@ -41,6 +44,23 @@ bool is_spline_face(const TopoDS_Face &face)
     return !Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face)).IsNull();
 }
 
+//! A proven bound lies above whatever an independent measurement finds. Returns whether there was one to hold against.
+bool expect_bounds_hold(const OffsetReport &proven, const OracleReport &seen)
+{
+    if (proven.certified_error)
+    {
+        EXPECT_LE(*proven.certified_error, tolerance);
+        EXPECT_LE(seen.surface_error, *proven.certified_error + oracle_rounding);
+        EXPECT_LE(seen.parametric_error, *proven.certified_error + oracle_rounding) << "same-parameter offset";
+    }
+    if (proven.edge_error)
+    {
+        EXPECT_LE(*proven.edge_error, tolerance);
+        EXPECT_LE(seen.edge_error, *proven.edge_error + oracle_rounding);
+    }
+    return proven.certified_error && seen.points >= 50;
+}
+
 //! The offset must succeed and be right.
 void expect_offset(const TopoDS_Face &face, double distance, int loops, int edges, const OracleOptions &how = {})
 {
@@ -56,6 +76,7 @@ void expect_offset(const TopoDS_Face &face, double distance, int loops, int edge
     EXPECT_EQ(made.report.loops, loops);
     EXPECT_EQ(made.report.edges, edges);
     EXPECT_EQ(made.report.status, Status::Ok);
+    EXPECT_TRUE(expect_bounds_hold(made.report, report)) << "no proven bound on a spline face";
     testing::Test::RecordProperty("figures", to_text(report));
 }
 
@@ -96,6 +117,33 @@ protected:
     }
 };
 
+//! Counts of what became of the faces of a model.
+struct Outcome
+{
+    int made = 0, proven = 0, refused = 0;
+};
+
+//! Right, or refused with a reason that an independent check of the curvature shares.
+void judge(const TopoDS_Face &face, double distance, Outcome &outcome)
+{
+    const Result<OffsetResult> result = offset(face, distance);
+    if (result.ok())
+    {
+        ++outcome.made;
+        const OracleReport seen = measure_offset(face, result.value().face, distance, {40, 25});
+        EXPECT_TRUE(confirms(seen, tolerance));
+        outcome.proven += expect_bounds_hold(result.value().report, seen);
+        return;
+    }
+    ++outcome.refused;
+    const Failure &failure = result.failure();
+    EXPECT_EQ(failure.status, Status::CurvatureLimit) << why(result);
+    EXPECT_EQ(failure.stage, Stage::Analysis) << why(result);
+    EXPECT_GT(failure.message.size(), 20u) << why(result);
+    EXPECT_TRUE(failure.where.has_value()) << why(result);
+    EXPECT_LT(least_curvature_factor(face, distance, 100), clearly) << "refused without need: " << why(result);
+}
+
 constexpr const char *one_hole = "derived_D150_fuselage_2p3m_1hole_6curves.step";
 constexpr const char *two_holes = "derived_D150_fuselage_3p4m_2holes_9curves.step";
 constexpr const char *mould = "psas_nose_mold.igs";
@@ -116,8 +164,11 @@ TEST_F(RealModel, FuselageNoseAtTheDistanceOfThePaper)
     const TopoDS_Face face = only_face(one_hole);
     if (face.IsNull())
         GTEST_SKIP() << missing_data_message(one_hole);
-    expect_offset_or_limit(face, 227.0, 2, 6);
-    expect_offset_or_limit(face, -227.0, 2, 6);
+    for (const double distance : {227.0, -227.0})
+    {
+        ASSERT_GT(least_curvature_factor(face, distance), clearly) << "feasible, so it must be made";
+        expect_offset(face, distance, 2, 6);
+    }
 }
 
 TEST_F(RealModel, FuselageNoseRefusesADistancePastItsRadius)
@@ -150,27 +201,21 @@ TEST_F(RealModel, EveryFaceOfTheNoseMouldIsRightOrRefusedWithAReason)
         GTEST_SKIP() << missing_data_message(mould);
     const auto faces = read_faces(*path);
     ASSERT_EQ(faces.size(), 59u);
-    for (const double distance : {0.5, -0.5, 2.0, -2.0})
+    // Thin laminates are made on every face; far past the tightest radii of 12 and 25 mm many faces fold.
+    const std::map<double, Outcome> least = {{0.5, {59, 28, 0}},  {-0.5, {59, 28, 0}},   {2.0, {59, 28, 0}},
+                                             {-2.0, {59, 28, 0}}, {227.0, {20, 20, 30}}, {-227.0, {50, 20, 3}}};
+    for (const auto &[distance, at_least] : least)
     {
-        int made = 0;
+        Outcome outcome;
         for (size_t i = 0; i < faces.size(); ++i)
         {
             SCOPED_TRACE("face " + std::to_string(i + 1) + " distance " + std::to_string(distance));
-            const Result<OffsetResult> result = offset(faces[i], distance);
-            if (result.ok())
-            {
-                ++made;
-                const OracleOptions how{40, 25};
-                EXPECT_TRUE(confirms(measure_offset(faces[i], result.value().face, distance, how), tolerance));
-                continue;
-            }
-            EXPECT_NE(result.failure().status, Status::Ok);
-            EXPECT_NE(result.failure().status, Status::KernelError) << why(result);
-            EXPECT_NE(result.failure().status, Status::InvalidResult) << why(result);
-            EXPECT_GT(result.failure().message.size(), 20u) << why(result);
+            judge(faces[i], distance, outcome);
         }
-        EXPECT_GE(made, 55) << "of 59 faces at distance " << distance;
-        RecordProperty("made_at_" + std::to_string(distance), made);
+        EXPECT_GE(outcome.made, at_least.made) << "of 59 faces at distance " << distance;
+        EXPECT_GE(outcome.proven, at_least.proven) << "of 59 faces at distance " << distance;
+        EXPECT_GE(outcome.refused, at_least.refused) << "the mould folds at distance " << distance;
+        RecordProperty("made_at_" + std::to_string(distance), outcome.made);
     }
 }
 
