@@ -189,6 +189,8 @@ Failure singular_refusal(const InputFace &input, const gp_Pnt2d &uv)
                    "The surface has no normal at the reported place; trim the face clear of it.", Where{uv, point});
 }
 
+Failure cancellation() { return refusal(Status::Cancelled, "The computation was cancelled during the surface fit."); }
+
 } // namespace
 
 Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
@@ -200,17 +202,24 @@ Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFac
     double closest = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most_rounds; ++round)
     {
-        if (options.progress && !options.progress(static_cast<double>(round) / most_rounds))
-            return refusal(Status::Cancelled, "The computation was cancelled during the surface fit.");
+        const auto cancelled = [&](double part) {
+            return options.progress && !options.progress((round + part) / most_rounds);
+        };
+        if (cancelled(0.0))
+            return cancellation();
         const DirectionChoices choices = choose_directions(base, sampler, share * tolerance, options);
         if (sampler.singular())
             return singular_refusal(input, *sampler.singular());
         if (!choices.u || !choices.v)
             break;
+        if (cancelled(0.5))
+            return cancellation();
         const std::optional<TensorSpline> spline = tensor_fit(base, sampler, choices.u->knots, choices.v->knots);
         if (!spline)
             break;
         const double seen = deviation(base, *spline, distance);
+        if (cancelled(0.7))
+            return cancellation();
         const std::optional<double> proven =
             seen <= tolerance ? proven_bound(analysis, *spline, distance, tolerance) : std::nullopt;
         const double error = std::max(seen, proven.value_or(0.0));
