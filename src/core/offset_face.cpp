@@ -134,13 +134,12 @@ private:
             });
         const gp_Pnt2d uv =
             worst->pcurve->Value(0.5 * (worst->first + worst->last)).Translated(-surface.parameter_shift);
-        const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
         return Failure{
             Status::EdgeToleranceNotReached, Stage::Trimming,
             fmt::format("The edge at the reported place is off by up to {:.3g} mm, because the base does not "
                         "close there any better; loosen the tolerance or repair the base's seam.",
                         *error),
-            Where{uv, point}, std::nullopt};
+            input.place(uv), std::nullopt};
     }
 
     //! An exact kind names the limit that was passed; what is known of the other side comes from the analysis.

@@ -48,9 +48,7 @@ std::optional<OffsetLimit> curved_limit(const InputFace &input, const CurvatureB
 {
     if (std::abs(bound.proven) <= flat_curvature / input.diagonal)
         return std::nullopt;
-    const gp_Pnt local = input.surface->Value(bound.uv.X(), bound.uv.Y());
-    return OffsetLimit{input.normal_sign / bound.proven,
-                       Where{bound.uv, local.Transformed(input.location.Transformation())}};
+    return OffsetLimit{input.normal_sign / bound.proven, input.place(bound.uv)};
 }
 
 Result<OffsetLimits> limits_of(const InputFace &input)

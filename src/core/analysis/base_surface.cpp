@@ -112,6 +112,15 @@ std::vector<SmoothnessBreak> geom_breaks(double low, double high, const Count &c
     return breaks;
 }
 
+std::vector<double> with_ends(double low, const std::vector<SmoothnessBreak> &breaks, double high)
+{
+    std::vector<double> ends{low};
+    for (const SmoothnessBreak &b : breaks)
+        ends.push_back(b.parameter);
+    ends.push_back(high);
+    return ends;
+}
+
 //! One side of the box with its margin, inside [first, last] unless the surface goes round.
 void widen(double &low, double &high, double first, double last, bool periodic)
 {
@@ -158,6 +167,10 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
         box.vmin, box.vmax, [&](GeomAbs_Shape s) { return adaptor.NbVIntervals(s); },
         [&](TColStd_Array1OfReal &ends, GeomAbs_Shape s) { adaptor.VIntervals(ends, s); });
 }
+
+std::vector<double> BaseSurface::interval_ends_u() const { return with_ends(m_box.umin, m_breaks_u, m_box.umax); }
+
+std::vector<double> BaseSurface::interval_ends_v() const { return with_ends(m_box.vmin, m_breaks_v, m_box.vmax); }
 
 std::vector<SurfaceJet> BaseSurface::jets(const std::vector<double> &us, const std::vector<double> &vs, int order) const
 {

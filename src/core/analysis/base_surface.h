@@ -33,6 +33,9 @@ public:
     //! Interior breaks in increasing order.
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_u() const { return m_breaks_u; }
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_v() const { return m_breaks_v; }
+    //! The breaks' parameters between the ends of the box.
+    [[nodiscard]] std::vector<double> interval_ends_u() const;
+    [[nodiscard]] std::vector<double> interval_ends_v() const;
 
     //! Jets on the grid us x vs (see TensorSpline::jets).
     [[nodiscard]] std::vector<SurfaceJet> jets(const std::vector<double> &us, const std::vector<double> &vs,

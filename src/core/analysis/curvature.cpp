@@ -174,15 +174,6 @@ private:
     std::priority_queue<Node> m_queue;
 };
 
-std::vector<double> with_ends(double low, double high, const std::vector<SmoothnessBreak> &breaks)
-{
-    std::vector<double> ends{low};
-    for (const SmoothnessBreak &b : breaks)
-        ends.push_back(b.parameter);
-    ends.push_back(high);
-    return ends;
-}
-
 //! The best of the places on the loops, and for a base that is no spline of a grid inside them.
 std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion &region, bool grid)
 {
@@ -205,9 +196,8 @@ std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion
         const int intervals = static_cast<int>(ends.size()) - 1;
         return chebyshev_parameters(ends, std::max(samples_per_interval, least_samples / intervals));
     };
-    const ParameterBox &box = base.box();
-    const std::vector<double> us = parameters(with_ends(box.umin, box.umax, base.breaks_u()));
-    const std::vector<double> vs = parameters(with_ends(box.vmin, box.vmax, base.breaks_v()));
+    const std::vector<double> us = parameters(base.interval_ends_u());
+    const std::vector<double> vs = parameters(base.interval_ends_v());
     const std::vector<SurfaceJet> jets = base.jets(us, vs, 2);
     for (std::size_t i = 0; i < jets.size(); ++i)
         if (const gp_Pnt2d uv(us[i / vs.size()], vs[i % vs.size()]); region.contains(uv))

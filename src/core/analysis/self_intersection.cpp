@@ -416,11 +416,6 @@ private:
     SelfIntersectionSearch m_result;
 };
 
-Where where_on_face(const InputFace &input, const gp_Pnt2d &uv)
-{
-    return {uv, input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation())};
-}
-
 } // namespace
 
 SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query)
@@ -438,8 +433,8 @@ Result<bool> check_self_intersection(const SelfIntersectionQuery &query)
     const std::optional<SelfMeeting> meeting = find_self_intersection(query).meeting;
     if (!meeting)
         return true;
-    const Where here = where_on_face(query.input, meeting->first);
-    const Where there = where_on_face(query.input, meeting->second);
+    const Where here = query.input.place(meeting->first);
+    const Where there = query.input.place(meeting->second);
     return Failure{
         Status::SelfIntersection, Stage::Surface,
         fmt::format("At the distance {:.6g} mm the offset of the reported place meets that of the place u={:.6g}, "

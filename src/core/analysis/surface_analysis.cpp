@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,8 +24,7 @@ constexpr double limit_gap = 5e-3;
 
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {
-    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
-    return {status, Stage::Analysis, std::move(message), Where{uv, point}, std::nullopt};
+    return {status, Stage::Analysis, std::move(message), input.place(uv), std::nullopt};
 }
 
 struct Crease

@@ -37,8 +37,7 @@ Failure refusal(Status status, std::string message)
 
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {
-    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
-    return {status, Stage::Input, std::move(message), Where{uv, point}, std::nullopt};
+    return {status, Stage::Input, std::move(message), input.place(uv), std::nullopt};
 }
 
 const char *kind_name(TopAbs_ShapeEnum kind)
@@ -304,6 +303,11 @@ int InputFace::edge_count() const
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(face, TopAbs_EDGE, edges);
     return edges.Extent();
+}
+
+Where InputFace::place(const gp_Pnt2d &uv) const
+{
+    return {uv, surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation())};
 }
 
 Result<InputFace> read_face(const TopoDS_Shape &shape)

@@ -62,6 +62,9 @@ struct InputFace
     double tolerance = 0.0; //!< largest tolerance of the face's edges and vertices [mm]
 
     [[nodiscard]] int edge_count() const; //!< distinct edges, a seam counted once
+
+    //! The place of base parameters, its point where the original face stands.
+    [[nodiscard]] Where place(const gp_Pnt2d &uv) const;
 };
 
 //! Reads and checks a face. Refusals: NullShape, NotAFace, InvalidFace, OpenLoop, ZeroArea, NotFinite,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace laminate_offset
 {
@@ -26,6 +25,12 @@ constexpr int last_tries = 4;
 constexpr int degree_order[] = {4, 5, 3, 6, 7, 2, 1};
 // A refined fit of this many times the best pole count is not worth thinning out.
 constexpr int worth_thinning = 2;
+
+void add_chebyshev(double a, double b, int count, std::vector<double> &parameters)
+{
+    for (int k = 0; k < count; ++k)
+        parameters.push_back(a + (b - a) * (0.5 * (1.0 - std::cos(M_PI * (k + 0.5) / count))));
+}
 
 class SampledData
 {
@@ -127,23 +132,6 @@ private:
         return std::clamp(m_degree - b.continuity, 0, m_degree);
     }
 
-    //! Multiplicity below which a knot must not fall.
-    [[nodiscard]] int required_multiplicity(double parameter) const
-    {
-        for (const DataBreak &b : m_problem.required)
-            if (b.parameter == parameter)
-                return full_multiplicity(b);
-        return 0;
-    }
-
-    [[nodiscard]] std::vector<double> starting_knots() const
-    {
-        std::vector<double> interior;
-        for (const DataBreak &b : m_problem.required)
-            interior.insert(interior.end(), static_cast<std::size_t>(full_multiplicity(b)), b.parameter);
-        return interior;
-    }
-
     //! Raises the knot at a break to the multiplicity that the data needs; false if it has it already.
     bool raise(const Trial &trial, double parameter, std::vector<double> &added) const
     {
@@ -196,7 +184,7 @@ private:
     //! Adds knots until the tolerance holds at every sample.
     std::optional<Trial> refine()
     {
-        std::vector<double> interior = starting_knots();
+        std::vector<double> interior;
         while (static_cast<int>(interior.size()) + m_degree + 1 <= m_most_poles)
         {
             const KnotVector kv = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
@@ -253,14 +241,9 @@ private:
     [[nodiscard]] std::vector<Candidate> candidates(const Trial &trial) const
     {
         std::vector<Candidate> result;
-        int multiplicity = 0;
         for (std::size_t i = 0; i < trial.interior.size(); ++i)
-        {
-            multiplicity = i > 0 && trial.interior[i - 1] == trial.interior[i] ? multiplicity + 1 : 1;
-            const bool last = i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i];
-            if (last && multiplicity > required_multiplicity(trial.interior[i]))
+            if (i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i])
                 result.push_back({removal_weight(trial, static_cast<int>(i) + m_degree + 1), i});
-        }
         std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) { return a.weight < b.weight; });
         return result;
     }
@@ -335,11 +318,7 @@ std::vector<double> chebyshev_parameters(const std::vector<double> &breaks, int 
 {
     std::vector<double> parameters{breaks.front()};
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-        for (int k = 0; k < count; ++k)
-        {
-            const double x = 0.5 * (1.0 - std::cos(M_PI * (k + 0.5) / count));
-            parameters.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * x);
-        }
+        add_chebyshev(breaks[i], breaks[i + 1], count, parameters);
     parameters.push_back(breaks.back());
     return parameters;
 }
@@ -359,8 +338,7 @@ std::vector<double> span_parameters(const KnotVector &kv, const std::vector<doub
         const int intervals = std::max(1, static_cast<int>(end - begin));
         const int count = std::max(per_interval, (per_span + intervals - 1) / intervals);
         for (std::size_t i = begin; i < end; ++i)
-            for (int k = 0; k < count; ++k)
-                parameters.push_back(all[i] + (all[i + 1] - all[i]) * 0.5 * (1.0 - std::cos(M_PI * (k + 0.5) / count)));
+            add_chebyshev(all[i], all[i + 1], count, parameters);
         begin = end;
     }
     parameters.push_back(all.back());

@@ -31,9 +31,6 @@ struct KnotProblem
     int min_degree = 1;
     int max_degree = 7;
     int max_poles = 4000;
-    //! Breaks at which the space must allow this continuity or less, whatever the data needs: the knots of
-    //! a weight function that has to lie in the space. min_degree is then at least its degree.
-    std::vector<DataBreak> required;
 };
 
 //! The chosen spline space and the largest error seen at the samples.
@@ -43,7 +40,7 @@ struct KnotChoice
     double error = 0.0;
 };
 
-//! Chooses the degree and knots with the fewest poles (the lower error on a tie).
+//! Chooses the degree and knots with the fewest poles; the middle degrees are tried first and win a tie.
 //!
 //! For each degree: spans that fail get a knot at the break nearest to their middle, then, when no break
 //! is left inside, the full multiplicity that the data's continuity needs at their ends, then a knot

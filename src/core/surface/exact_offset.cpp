@@ -25,7 +25,6 @@ double handedness(const gp_Ax3 &position) { return position.Direct() ? 1.0 : -1.
 
 Failure folded(const InputFace &input, double distance, double limit, const gp_Pnt2d &uv)
 {
-    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
     FeasibleRange range;
     // the side is that of the distance asked for: the limit itself may be zero
     (distance * input.normal_sign < 0.0 ? range.negative : range.positive) = limit * input.normal_sign;
@@ -33,7 +32,7 @@ Failure folded(const InputFace &input, double distance, double limit, const gp_P
             fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place; stay "
                         "below that distance or trim the tight region away.",
                         input.normal_sign * distance, std::abs(limit)),
-            Where{uv, point}, range};
+            input.place(uv), range};
 }
 
 OffsetSurface exact(const InputFace &input, const Handle(Geom_Surface) & geometry, double distance)

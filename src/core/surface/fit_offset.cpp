@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace laminate_offset
 {
@@ -20,24 +21,14 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.47;
 constexpr int most_rounds = 8;
-constexpr int rows_per_interval = 1;
 constexpr int least_rows = 12;
 constexpr int spare_samples = 2;
 constexpr int checks_per_span = 9;
 
-std::vector<double> interval_ends(double low, double high, const std::vector<SmoothnessBreak> &breaks)
-{
-    std::vector<double> ends{low};
-    for (const SmoothnessBreak &b : breaks)
-        ends.push_back(b.parameter);
-    ends.push_back(high);
-    return ends;
-}
-
 std::vector<double> row_parameters(const std::vector<double> &ends)
 {
     const int intervals = static_cast<int>(ends.size()) - 1;
-    return chebyshev_parameters(ends, std::max(rows_per_interval, (least_rows + intervals - 1) / intervals));
+    return chebyshev_parameters(ends, (least_rows + intervals - 1) / intervals);
 }
 
 //! The offset of a C^k surface is C^(k-1) at its knots; a crease has been refused before, so at least C^0.
@@ -90,12 +81,11 @@ private:
 std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &sampler, const KnotVector &u,
                                        const KnotVector &v)
 {
-    const ParameterBox &box = base.box();
     const auto parameters = [](const KnotVector &kv, const std::vector<double> &base_ends) {
         return span_parameters(kv, base_ends, kv.degree + 1 + spare_samples, 1);
     };
-    const std::vector<double> us = parameters(u, interval_ends(box.umin, box.umax, base.breaks_u()));
-    const std::vector<double> vs = parameters(v, interval_ends(box.vmin, box.vmax, base.breaks_v()));
+    const std::vector<double> us = parameters(u, base.interval_ends_u());
+    const std::vector<double> vs = parameters(v, base.interval_ends_v());
     const auto fit_u = LeastSquaresFit::make(u, us);
     const auto fit_v = LeastSquaresFit::make(v, vs);
     if (!fit_u || !fit_v)
@@ -122,9 +112,8 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
 //! Largest deviation from the exact offset between the samples of the fit.
 double deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
 {
-    const ParameterBox &box = base.box();
-    const auto us = span_parameters(spline.u, interval_ends(box.umin, box.umax, base.breaks_u()), checks_per_span, 1);
-    const auto vs = span_parameters(spline.v, interval_ends(box.vmin, box.vmax, base.breaks_v()), checks_per_span, 1);
+    const auto us = span_parameters(spline.u, base.interval_ends_u(), checks_per_span, 1);
+    const auto vs = span_parameters(spline.v, base.interval_ends_v(), checks_per_span, 1);
     std::optional<gp_Pnt2d> singular;
     const std::vector<Eigen::Vector3d> exact = base.offset_grid(us, vs, distance, singular);
     if (singular)
@@ -156,8 +145,8 @@ DirectionChoices choose_directions(const BaseSurface &base, OffsetSampler &sampl
                                    const OffsetOptions &options)
 {
     const ParameterBox &box = base.box();
-    const std::vector<double> rows_u = row_parameters(interval_ends(box.umin, box.umax, base.breaks_u()));
-    const std::vector<double> rows_v = row_parameters(interval_ends(box.vmin, box.vmax, base.breaks_v()));
+    const std::vector<double> rows_u = row_parameters(base.interval_ends_u());
+    const std::vector<double> rows_v = row_parameters(base.interval_ends_v());
     KnotProblem problem;
     problem.tolerance = tolerance;
     problem.max_degree = options.max_degree;
@@ -184,9 +173,8 @@ Failure refusal(Status status, std::string message, std::optional<Where> where =
 
 Failure singular_refusal(const InputFace &input, const gp_Pnt2d &uv)
 {
-    const gp_Pnt point = input.surface->Value(uv.X(), uv.Y()).Transformed(input.location.Transformation());
     return refusal(Status::SingularNormal,
-                   "The surface has no normal at the reported place; trim the face clear of it.", Where{uv, point});
+                   "The surface has no normal at the reported place; trim the face clear of it.", input.place(uv));
 }
 
 Failure cancellation() { return refusal(Status::Cancelled, "The computation was cancelled during the surface fit."); }

@@ -22,9 +22,7 @@ constexpr int error_samples = 24;
 Failure refusal(const EdgeContext &context, Status status, const TrimmingCurve &curve, std::string message)
 {
     const gp_Pnt2d uv = curve.pcurve->Value(0.5 * (curve.first + curve.last));
-    const gp_Pnt point = context.input.surface->Value(uv.X(), uv.Y());
-    return {status, Stage::Trimming, std::move(message),
-            Where{uv, point.Transformed(context.input.location.Transformation())}, std::nullopt};
+    return {status, Stage::Trimming, std::move(message), context.input.place(uv), std::nullopt};
 }
 
 Handle(Geom2d_Curve) shifted(const Handle(Geom2d_Curve) & pcurve, const gp_Vec2d &shift)
