@@ -10,7 +10,6 @@
 
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Standard_Failure.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,10 +34,7 @@ public:
         }
         catch (const Standard_Failure &error)
         {
-            return Failure{Status::KernelError, m_stage,
-                           fmt::format("The geometry kernel raised {} ({}); check the base face.",
-                                       error.DynamicType()->Name(), error.GetMessageString()),
-                           std::nullopt, std::nullopt};
+            return kernel_failure(error, m_stage);
         }
     }
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_limits.h"
 
-#include "analysis/curvature.h"
 #include "analysis/surface_analysis.h"
 #include "base/options.h"
 #include "input/input_face.h"
+#include "report/offset_report.h"
 #include "surface/offset_surface.h"
 
-#include <Standard_Failure.hxx>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <utility>
 
 namespace laminate_offset
 {
@@ -23,8 +22,6 @@ using Json = nlohmann::ordered_json;
 // Relative width between what is proven and what is attained. The work grows
 // like its inverse on round faces, where every piece ties.
 constexpr double limit_gap = 1e-3;
-// Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
-constexpr double flat_curvature = 1e-9;
 // A crease is judged at this part of the face's diagonal.
 constexpr double crease_distance = 1e-2;
 // Past every radius [mm], and far from overflow.
@@ -44,11 +41,11 @@ std::optional<OffsetLimit> exact_limit(const InputFace &input, bool outward)
     return OffsetLimit{*distance + 0.0, *attempt->failure().where};
 }
 
-std::optional<OffsetLimit> curved_limit(const InputFace &input, const CurvatureBound &bound)
+std::optional<OffsetLimit> curved_limit(const InputFace &input, const std::optional<CurvatureLimit> &limit)
 {
-    if (std::abs(bound.proven) <= flat_curvature / input.diagonal)
+    if (!limit)
         return std::nullopt;
-    return OffsetLimit{input.normal_sign / bound.proven, input.place(bound.uv)};
+    return OffsetLimit{input.normal_sign * limit->distance, input.place(limit->uv)};
 }
 
 Result<OffsetLimits> limits_of(const InputFace &input)
@@ -61,33 +58,23 @@ Result<OffsetLimits> limits_of(const InputFace &input)
         return limits;
     }
     const double tear_distance = crease_distance * input.diagonal;
-    const Result<SurfaceAnalysis> analysis = analyse(input, tear_distance, OffsetOptions{}.tolerance);
+    Result<SurfaceAnalysis> analysis = read_base(input, tear_distance, OffsetOptions{}.tolerance);
     if (!analysis)
         return analysis.failure();
-    const CurvatureExtremes extremes =
-        curvature_extremes(analysis.value().base, analysis.value().region, {0.0, limit_gap, input.diagonal});
-    limits.negative = curved_limit(input, extremes.lowest);
-    limits.positive = curved_limit(input, extremes.highest);
+    find_limits(analysis.value(), input, 0.0, limit_gap);
+    limits.negative = curved_limit(input, analysis.value().negative);
+    limits.positive = curved_limit(input, analysis.value().positive);
     if (input.normal_sign < 0.0)
         std::swap(limits.negative, limits.positive);
-    limits.proven = !extremes.lowest.sampled && !extremes.highest.sampled;
+    limits.proven = !analysis.value().sampled;
     return limits;
-}
-
-Json place(const Where &where)
-{
-    return {{"u", where.uv.X()},
-            {"v", where.uv.Y()},
-            {"x", where.point.X()},
-            {"y", where.point.Y()},
-            {"z", where.point.Z()}};
 }
 
 Json side(const std::optional<OffsetLimit> &limit)
 {
     if (!limit)
         return nullptr;
-    return {{"distance", limit->distance}, {"where", place(limit->where)}};
+    return {{"distance", limit->distance}, {"where", to_json(std::optional<Where>(limit->where))}};
 }
 
 Json refusal(const Failure &failure)
@@ -95,7 +82,7 @@ Json refusal(const Failure &failure)
     return {{"status", name(failure.status)},
             {"stage", name(failure.stage)},
             {"message", failure.message},
-            {"where", failure.where ? place(*failure.where) : Json(nullptr)},
+            {"where", to_json(failure.where)},
             {"proven", nullptr},
             {"negative", nullptr},
             {"positive", nullptr}};
@@ -116,10 +103,7 @@ Result<OffsetLimits> offset_limits(const TopoDS_Shape &shape)
     }
     catch (const Standard_Failure &error)
     {
-        return Failure{Status::KernelError, stage,
-                       fmt::format("The geometry kernel raised {} ({}); check the base face.",
-                                   error.DynamicType()->Name(), error.GetMessageString()),
-                       std::nullopt, std::nullopt};
+        return kernel_failure(error, stage);
     }
 }
 

@@ -16,7 +16,7 @@ LoopRegion::LoopRegion(const InputFace &input)
     for (const TrimmingLoop &loop : input.loops)
         for (const TrimmingCurve &curve : loop.curves)
             if (curve.bounds_face())
-                add_pieces(curve, m_pieces);
+                m_pieces.insert(m_pieces.end(), curve.pieces.begin(), curve.pieces.end());
 }
 
 bool LoopRegion::contains(const gp_Pnt2d &uv) const

@@ -3,7 +3,7 @@
 //! The inside of the trimming loops as a set of parameters.
 #pragma once
 
-#include "../input/pcurve_pieces.h"
+#include "../input/input_face.h"
 
 #include <vector>
 

@@ -87,13 +87,18 @@ Result<bool> check_creases(const BaseSurface &base, const InputFace &input, cons
 
 } // namespace
 
-Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
+Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
     SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), LoopRegion(input), std::nullopt, std::nullopt};
-    const LoopRegion &region = analysis.region;
-    if (const auto smooth = check_creases(analysis.base, input, region, distance, tolerance); !smooth)
+    if (const auto smooth = check_creases(analysis.base, input, analysis.region, distance, tolerance); !smooth)
         return smooth.failure();
-    const CurvatureExtremes extremes = curvature_extremes(analysis.base, region, {distance, limit_gap, input.diagonal});
+    return analysis;
+}
+
+void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap)
+{
+    const CurvatureExtremes extremes =
+        curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
     const double flat = flat_curvature / input.diagonal;
     const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
         if (std::abs(k.proven) <= flat)
@@ -103,6 +108,14 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
     };
     analysis.negative = limit(extremes.lowest);
     analysis.positive = limit(extremes.highest);
+    analysis.sampled = extremes.lowest.sampled || extremes.highest.sampled;
+}
+
+Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
+{
+    Result<SurfaceAnalysis> analysis = read_base(input, distance, tolerance);
+    if (analysis)
+        find_limits(analysis.value(), input, distance, limit_gap);
     return analysis;
 }
 

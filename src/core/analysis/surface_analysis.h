@@ -31,12 +31,22 @@ struct SurfaceAnalysis
     LoopRegion region;
     std::optional<CurvatureLimit> negative; //!< empty: no limit on that side
     std::optional<CurvatureLimit> positive;
+    bool sampled = false; //!< curvature could only be sampled somewhere: at a pole, or on a base that is no spline
 };
 
-//! Reads creases and curvatures.
+//! The base and its loops without the limits.
 //! \param distance signed along S_u x S_v [mm]; decides whether a crease matters.
 //! \param tolerance a crease that tears the offset by less than half of it is no crease [mm].
-//! Refusals: KinkedSurface, SingularNormal.
+//! Refusal: KinkedSurface.
+Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance);
+
+//! Searches both limits.
+//! \param distance the one that has to be decided [mm]; 0: the limits themselves are wanted.
+//! \param gap relative width between what is proven and what is attained at which a search ends.
+void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap);
+
+//! Both in one, for one distance.
+//! Refusal: KinkedSurface.
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance);
 
 //! Refuses a distance past the curvature limits, with the place and the feasible range.

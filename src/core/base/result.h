@@ -6,6 +6,7 @@
 
 #include "status.h"
 
+#include <Standard_Failure.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 
@@ -44,6 +45,9 @@ struct Failure
     std::optional<Where> where;                  //!< the place on the base face, when there is one
     std::optional<FeasibleRange> feasible_range; //!< what would work, when that is known
 };
+
+//! What an exception of OpenCASCADE becomes at the stage that met it.
+Failure kernel_failure(const Standard_Failure &error, Stage stage);
 
 //! Either a T or a Failure.
 template <typename T> class Result

@@ -244,9 +244,12 @@ double extent_of(const InputFace &input, const std::vector<PcurvePiece> &pieces)
 Result<bool> measure(InputFace &input)
 {
     std::vector<PcurvePiece> pieces;
-    for (const TrimmingLoop &loop : input.loops)
-        for (const TrimmingCurve &curve : loop.curves)
-            add_pieces(curve, pieces);
+    for (TrimmingLoop &loop : input.loops)
+        for (TrimmingCurve &curve : loop.curves)
+        {
+            curve.pieces = cut_up(curve.pcurve, curve.first, curve.last);
+            pieces.insert(pieces.end(), curve.pieces.begin(), curve.pieces.end());
+        }
     input.box = box_of(pieces);
     input.diagonal = extent_of(input, pieces);
     if (!std::isfinite(input.diagonal))

@@ -26,6 +26,14 @@ struct ParameterBox
     double vmax = 0.0;
 };
 
+//! A short part of a trimming curve.
+struct PcurvePiece
+{
+    gp_Pnt2d start;
+    gp_Pnt2d end;
+    ParameterBox box; //!< holds the whole piece
+};
+
 //! One use of an edge in a trimming loop.
 struct TrimmingCurve
 {
@@ -33,8 +41,9 @@ struct TrimmingCurve
     Handle(Geom2d_Curve) pcurve; //!< in the base surface's parameters
     double first = 0.0;          //!< parameter range of the pcurve and the edge
     double last = 0.0;
-    bool degenerated = false; //!< the whole curve maps to one point of space
-    bool seam = false;        //!< the edge stands twice in the loop, on both sides of a closed surface
+    bool degenerated = false;        //!< the whole curve maps to one point of space
+    bool seam = false;               //!< the edge stands twice in the loop, on both sides of a closed surface
+    std::vector<PcurvePiece> pieces; //!< the pcurve cut up in order; a straight one is a single piece
 
     //! False for an edge that only lies in the face (orientation INTERNAL or EXTERNAL).
     [[nodiscard]] bool bounds_face() const;

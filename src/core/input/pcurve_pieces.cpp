@@ -24,15 +24,16 @@ int piece_count(const Geom2dAdaptor_Curve &curve)
 
 } // namespace
 
-void add_pieces(const TrimmingCurve &curve, std::vector<PcurvePiece> &pieces)
+std::vector<PcurvePiece> cut_up(const Handle(Geom2d_Curve) & pcurve, double first, double last)
 {
-    const Geom2dAdaptor_Curve adaptor(curve.pcurve, curve.first, curve.last);
+    const Geom2dAdaptor_Curve adaptor(pcurve, first, last);
     const int count = piece_count(adaptor);
-    gp_Pnt2d start = adaptor.Value(curve.first);
+    std::vector<PcurvePiece> pieces;
+    gp_Pnt2d start = adaptor.Value(first);
     for (int i = 0; i < count; ++i)
     {
-        const double a = curve.first + (curve.last - curve.first) * i / count;
-        const double b = curve.first + (curve.last - curve.first) * (i + 1) / count;
+        const double a = first + (last - first) * i / count;
+        const double b = first + (last - first) * (i + 1) / count;
         const gp_Pnt2d end = adaptor.Value(b);
         Bnd_Box2d bounds;
         if (count > 1)
@@ -44,6 +45,7 @@ void add_pieces(const TrimmingCurve &curve, std::vector<PcurvePiece> &pieces)
         pieces.push_back(piece);
         start = end;
     }
+    return pieces;
 }
 
 } // namespace laminate_offset

@@ -10,14 +10,7 @@
 namespace laminate_offset
 {
 
-struct PcurvePiece
-{
-    gp_Pnt2d start;
-    gp_Pnt2d end;
-    ParameterBox box; //!< holds the whole piece
-};
-
-//! Appends the pieces of one trimming curve; a straight one is a single piece.
-void add_pieces(const TrimmingCurve &curve, std::vector<PcurvePiece> &pieces);
+//! The pieces of a pcurve between two parameters.
+std::vector<PcurvePiece> cut_up(const Handle(Geom2d_Curve) & pcurve, double first, double last);
 
 } // namespace laminate_offset

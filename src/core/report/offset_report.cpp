@@ -18,17 +18,6 @@ Json number(const std::optional<double> &value)
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-Json place(const std::optional<Where> &where)
-{
-    if (!where)
-        return nullptr;
-    return {{"u", where->uv.X()},
-            {"v", where->uv.Y()},
-            {"x", where->point.X()},
-            {"y", where->point.Y()},
-            {"z", where->point.Z()}};
-}
-
 Json surface_json(const std::optional<SurfaceSummary> &surface)
 {
     if (!surface)
@@ -60,13 +49,24 @@ OffsetReport refusal_report(const Failure &failure, const OffsetOptions &options
     return report;
 }
 
+Json to_json(const std::optional<Where> &where)
+{
+    if (!where)
+        return nullptr;
+    return {{"u", where->uv.X()},
+            {"v", where->uv.Y()},
+            {"x", where->point.X()},
+            {"y", where->point.Y()},
+            {"z", where->point.Z()}};
+}
+
 Json to_json(const OffsetReport &report)
 {
     Json json;
     json["status"] = name(report.status);
     json["stage"] = name(report.stage);
     json["message"] = report.message;
-    json["where"] = place(report.where);
+    json["where"] = to_json(report.where);
     json["method"] = name(report.method);
     json["distance"] = number(report.distance);
     json["tolerance"] = number(report.tolerance);

@@ -60,6 +60,9 @@ struct OffsetReport
 //! Report of a refusal: the options' figures and the failure's reason.
 OffsetReport refusal_report(const Failure &failure, const OffsetOptions &options);
 
+//! A place as {u,v,x,y,z}, or null.
+nlohmann::ordered_json to_json(const std::optional<Where> &where);
+
 //! The report as a JSON object (keys in documentation order).
 nlohmann::ordered_json to_json(const OffsetReport &report);
 
