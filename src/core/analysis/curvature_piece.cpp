@@ -107,21 +107,11 @@ void CurvaturePieceBounder::move_to_centre(const RationalPiece &piece)
 void CurvaturePieceBounder::differentiate(const RationalPiece &piece)
 {
     move_to_centre(piece);
-    const auto along_u = [](const Bernstein3 &a, const Bernstein &w, Derivative &d) {
-        for (std::size_t e = 0; e < 3; ++e)
-            d.numerator[e].assign_derivative_u(a[e]);
-        d.omega.assign_derivative_u(w);
-    };
-    const auto along_v = [](const Bernstein3 &a, const Bernstein &w, Derivative &d) {
-        for (std::size_t e = 0; e < 3; ++e)
-            d.numerator[e].assign_derivative_v(a[e]);
-        d.omega.assign_derivative_v(w);
-    };
-    along_u(m_piece.numerator, m_piece.omega, m_u);
-    along_v(m_piece.numerator, m_piece.omega, m_v);
-    along_u(m_u.numerator, m_u.omega, m_uu);
-    along_v(m_u.numerator, m_u.omega, m_uv);
-    along_v(m_v.numerator, m_v.omega, m_vv);
+    assign_derivative_u(m_piece, m_u);
+    assign_derivative_v(m_piece, m_v);
+    assign_derivative_u(m_u, m_uu);
+    assign_derivative_v(m_u, m_uv);
+    assign_derivative_v(m_v, m_vv);
 }
 
 std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre(const RationalPiece &piece)
@@ -195,11 +185,11 @@ std::pair<double, double> CurvaturePieceBounder::rough(const RationalPiece &piec
     const double weight_spread = std::max(1.0 / omega.low - 1.0 / w, 1.0 / w - 1.0 / omega.high);
     const double reach = longest(m_piece.numerator) / omega.low;
     const double height = along(m_piece.numerator, n0).size() / omega.low;
-    const auto first_spread = [&](const Derivative &d, const Eigen::Vector3d &at) {
+    const auto first_spread = [&](const RationalPiece &d, const Eigen::Vector3d &at) {
         return spread(d.numerator, at * w) / w + longest(d.numerator) * weight_spread +
                reach * d.omega.range().size() / omega.low;
     };
-    const auto first_height = [&](const Derivative &d) {
+    const auto first_height = [&](const RationalPiece &d) {
         return (along(d.numerator, n0).size() + height * d.omega.range().size()) / omega.low;
     };
     const double ru = first_spread(m_u, su);
@@ -211,7 +201,7 @@ std::pair<double, double> CurvaturePieceBounder::rough(const RationalPiece &piec
     const double hv = first_height(m_v);
     const double tilt = std::hypot(x * hu, std::abs(y) * hu + z * hv) / (1.0 - rho);
     // S_ab . n, from S_ab = (P_ab - omega_a S_b - omega_b S_a - omega_ab S) / omega
-    const auto second = [&](const Derivative &d, double wa, double wb, double sa, double sb, double ha, double hb) {
+    const auto second = [&](const RationalPiece &d, double wa, double wb, double sa, double sb, double ha, double hb) {
         const double wab = d.omega.range().size();
         const double flat = (wa * hb + wb * ha + wab * height) / omega.low;
         const double size = (longest(d.numerator) + wa * sb + wb * sa + wab * reach) / omega.low;
@@ -231,36 +221,6 @@ std::pair<double, double> CurvaturePieceBounder::rough(const RationalPiece &piec
     return {k.first / (k.first < 0.0 ? narrow : wide), k.second / (k.second > 0.0 ? narrow : wide)};
 }
 
-//! omega^3 S_u x S_v = omega P_u x P_v + omega_v P x P_u + omega_u P_v x P
-void CurvaturePieceBounder::find_normal()
-{
-    assign_cross(m_u.numerator, m_v.numerator, m_normal);
-    if (!m_piece.rational())
-        return;
-    const auto add_term = [&](const Bernstein3 &a, const Bernstein3 &b, const Bernstein &weight) {
-        assign_cross(a, b, m_vector);
-        for (std::size_t e = 0; e < 3; ++e)
-        {
-            assign_product(m_vector[e], weight, m_scalar);
-            m_normal[e].add_raised(1.0, m_scalar);
-        }
-    };
-    m_vector = m_normal;
-    for (std::size_t e = 0; e < 3; ++e)
-        assign_product(m_vector[e], m_piece.omega, m_normal[e]);
-    add_term(m_piece.numerator, m_u.numerator, m_v.omega);
-    add_term(m_v.numerator, m_piece.numerator, m_u.omega);
-}
-
-//! M . n0 with n0 the direction of M at the centre; at most |M|.
-void CurvaturePieceBounder::find_height()
-{
-    const Eigen::Vector3d n0 = centre(m_normal).normalized();
-    m_height.reset(m_normal[0].degree_u(), m_normal[0].degree_v());
-    for (int e = 0; e < 3; ++e)
-        m_height.add_raised(n0[e], m_normal[static_cast<std::size_t>(e)]);
-}
-
 //! (omega^2 S_a) . (omega^2 S_b) (M . n0)
 void CurvaturePieceBounder::weighted_first(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out)
 {
@@ -269,14 +229,14 @@ void CurvaturePieceBounder::weighted_first(const Bernstein3 &a, const Bernstein3
 }
 
 //! omega^2 (omega P_ab - omega_ab P) . M, which is omega^4 S_ab . M
-void CurvaturePieceBounder::weighted_second(const Derivative &d, Bernstein &out)
+void CurvaturePieceBounder::weighted_second(const RationalPiece &d, Bernstein &out)
 {
     if (!m_piece.rational())
-        return assign_dot(d.numerator, m_normal, out);
-    assign_dot(d.numerator, m_normal, m_scalar);
+        return assign_dot(d.numerator, m_tangents.normal(), out);
+    assign_dot(d.numerator, m_tangents.normal(), m_scalar);
     Bernstein product;
     assign_product(m_scalar, m_piece.omega, product);
-    assign_dot(m_piece.numerator, m_normal, m_scalar);
+    assign_dot(m_piece.numerator, m_tangents.normal(), m_scalar);
     Bernstein weight_part;
     assign_product(m_scalar, d.omega, weight_part);
     Bernstein sum(std::max(product.degree_u(), weight_part.degree_u()),
@@ -289,31 +249,15 @@ void CurvaturePieceBounder::weighted_second(const Derivative &d, Bernstein &out)
 std::pair<double, double> CurvaturePieceBounder::fine(const RationalPiece &piece)
 {
     differentiate(piece);
-    find_normal();
-    find_height();
-    const auto tangent = [&](const Derivative &d, Bernstein3 &out) {
-        for (std::size_t e = 0; e < 3; ++e)
-        {
-            if (!m_piece.rational())
-            {
-                out[e] = d.numerator[e];
-                continue;
-            }
-            Bernstein first;
-            Bernstein second;
-            assign_product(d.numerator[e], m_piece.omega, first);
-            assign_product(m_piece.numerator[e], d.omega, second);
-            out[e].reset(std::max(first.degree_u(), second.degree_u()), std::max(first.degree_v(), second.degree_v()));
-            out[e].add_raised(1.0, first);
-            out[e].add_raised(-1.0, second);
-        }
-    };
-    tangent(m_u, m_qu);
-    tangent(m_v, m_qv);
+    m_tangents.assign(m_piece);
+    m_tangents.find_tangents(m_piece);
+    m_tangents.assign_height(m_height);
+    const Bernstein3 &qu = m_tangents.tangent_u();
+    const Bernstein3 &qv = m_tangents.tangent_v();
     assign_product(m_piece.omega, m_piece.omega, m_square);
-    weighted_first(m_qu, m_qu, m_first[0]);
-    weighted_first(m_qu, m_qv, m_first[1]);
-    weighted_first(m_qv, m_qv, m_first[2]);
+    weighted_first(qu, qu, m_first[0]);
+    weighted_first(qu, qv, m_first[1]);
+    weighted_first(qv, qv, m_first[2]);
     weighted_second(m_uu, m_second[0]);
     weighted_second(m_uv, m_second[1]);
     weighted_second(m_vv, m_second[2]);

@@ -3,7 +3,7 @@
 //! Bounds of the principal curvatures of one Bernstein piece (the mathematics is in curvature.h).
 #pragma once
 
-#include "../spline/spline_pieces.h"
+#include "../spline/piece_tangents.h"
 
 #include <optional>
 #include <utility>
@@ -39,24 +39,16 @@ public:
     bool longer_in_u(const RationalPiece &piece);
 
 private:
-    struct Derivative
-    {
-        Bernstein3 numerator;
-        Bernstein omega;
-    };
-
     void differentiate(const RationalPiece &piece);
     void move_to_centre(const RationalPiece &piece);
-    void find_normal();
-    void find_height();
     void weighted_first(const Bernstein3 &a, const Bernstein3 &b, Bernstein &out);
-    void weighted_second(const Derivative &d, Bernstein &out);
+    void weighted_second(const RationalPiece &d, Bernstein &out);
     std::pair<double, double> widest_pencil();
 
     double m_resolution;
     RationalPiece m_piece; //!< relative to the point at its centre
-    Derivative m_u, m_v, m_uu, m_uv, m_vv;
-    Bernstein3 m_qu, m_qv, m_normal, m_vector;
+    RationalPiece m_u, m_v, m_uu, m_uv, m_vv;
+    PieceTangents m_tangents;
     Bernstein m_height, m_square, m_scalar;
     std::array<Bernstein, 3> m_first, m_second; //!< uu, uv, vv
 };

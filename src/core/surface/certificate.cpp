@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "certificate.h"
 
-#include "../spline/spline_pieces.h"
+#include "../spline/piece_tangents.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -137,7 +137,7 @@ private:
     double try_frame(const Piece &piece, bool general)
     {
         difference(piece);
-        normal(piece);
+        m_tangents.assign(piece.base);
         const Bernstein::Range weights = piece.omega().range();
         if (weights.low <= 0.0)
             return infinity;
@@ -150,7 +150,7 @@ private:
         square_of_difference(piece, scalars);
         scalars.omega = piece.omega();
         rounding(piece, weights, frame);
-        m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_normal)) * m_d > 0.0;
+        m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_tangents.normal())) * m_d > 0.0;
         return frame_bound(frame);
     }
 
@@ -167,9 +167,7 @@ private:
             m_w[e].reset(m, n);
             if (product)
             {
-                m_temporary.reset(piece.offset.numerator[e].degree_u() + piece.omega().degree_u(),
-                                  piece.offset.numerator[e].degree_v() + piece.omega().degree_v());
-                m_temporary.add_product(1.0, piece.offset.numerator[e], piece.omega());
+                assign_product(piece.offset.numerator[e], piece.omega(), m_temporary);
                 m_w[e].add_raised(1.0, m_temporary);
             }
             else
@@ -178,89 +176,13 @@ private:
         }
     }
 
-    static void add_cross(double factor, const Bernstein3 &a, const Bernstein3 &b, Bernstein3 &result)
-    {
-        for (int e = 0; e < 3; ++e)
-        {
-            const int f = (e + 1) % 3;
-            const int g = (e + 2) % 3;
-            result[e].add_product(factor, a[f], b[g]);
-            result[e].add_product(-factor, a[g], b[f]);
-        }
-    }
-
-    //! omega^3 S_u x S_v = omega P_u x P_v + omega_v P x P_u + omega_u P_v x P
-    void normal(const Piece &piece)
-    {
-        for (int e = 0; e < 3; ++e)
-        {
-            m_pu[e].assign_derivative_u(piece.base.numerator[e]);
-            m_pv[e].assign_derivative_v(piece.base.numerator[e]);
-        }
-        const int m = m_pu[0].degree_u() + m_pv[0].degree_u();
-        const int n = m_pu[0].degree_v() + m_pv[0].degree_v();
-        const bool rational = piece.base.rational();
-        for (int e = 0; e < 3; ++e)
-            (rational ? m_cross : m_normal)[e].reset(m, n);
-        add_cross(1.0, m_pu, m_pv, rational ? m_cross : m_normal);
-        if (!rational)
-            return;
-        m_omega_u.assign_derivative_u(piece.omega());
-        m_omega_v.assign_derivative_v(piece.omega());
-        for (int e = 0; e < 3; ++e)
-        {
-            m_normal[e].reset(m + piece.omega().degree_u(), n + piece.omega().degree_v());
-            m_normal[e].add_product(1.0, m_cross[e], piece.omega());
-        }
-        add_weight_term(m_omega_v, piece.base.numerator, m_pu);
-        add_weight_term(m_omega_u, m_pv, piece.base.numerator);
-    }
-
-    void add_weight_term(const Bernstein &weight, const Bernstein3 &a, const Bernstein3 &b)
-    {
-        for (int e = 0; e < 3; ++e)
-            m_cross[e].reset(a[0].degree_u() + b[0].degree_u(), a[0].degree_v() + b[0].degree_v());
-        add_cross(1.0, a, b, m_cross);
-        for (int e = 0; e < 3; ++e)
-        {
-            m_temporary.reset(m_cross[e].degree_u() + weight.degree_u(), m_cross[e].degree_v() + weight.degree_v());
-            m_temporary.add_product(1.0, m_cross[e], weight);
-            m_normal[e].add_raised(1.0, m_temporary);
-        }
-    }
-
-    //! omega^2 S_u and omega^2 S_v of a rational piece.
-    void tangent(const Piece &piece, const Bernstein3 &derivative, const Bernstein &weight_derivative, Bernstein3 &out)
-    {
-        for (int e = 0; e < 3; ++e)
-        {
-            const int m = std::max(derivative[e].degree_u() + piece.omega().degree_u(),
-                                   piece.base.numerator[e].degree_u() + weight_derivative.degree_u());
-            const int n = std::max(derivative[e].degree_v() + piece.omega().degree_v(),
-                                   piece.base.numerator[e].degree_v() + weight_derivative.degree_v());
-            out[e].reset(m, n);
-            m_temporary.reset(derivative[e].degree_u() + piece.omega().degree_u(),
-                              derivative[e].degree_v() + piece.omega().degree_v());
-            m_temporary.add_product(1.0, derivative[e], piece.omega());
-            out[e].add_raised(1.0, m_temporary);
-            m_temporary.reset(piece.base.numerator[e].degree_u() + weight_derivative.degree_u(),
-                              piece.base.numerator[e].degree_v() + weight_derivative.degree_v());
-            m_temporary.add_product(-1.0, piece.base.numerator[e], weight_derivative);
-            out[e].add_raised(1.0, m_temporary);
-        }
-    }
-
     //! T1, T2 orthonormal at the centre, their Gram bound, and b = W.T1, c = W.T2.
     bool simple_form(const Piece &piece, const Bernstein::Range &weights, Frame &frame, Scalars &scalars)
     {
         const bool rational = piece.base.rational();
-        if (rational)
-        {
-            tangent(piece, m_pu, m_omega_u, m_qu);
-            tangent(piece, m_pv, m_omega_v, m_qv);
-        }
-        const Bernstein3 &qu = rational ? m_qu : m_pu;
-        const Bernstein3 &qv = rational ? m_qv : m_pv;
+        m_tangents.find_tangents(piece.base);
+        const Bernstein3 &qu = m_tangents.tangent_u();
+        const Bernstein3 &qv = m_tangents.tangent_v();
         frame.b_weight_power = rational ? 3 : 1;
         const double at_centre = rational ? std::pow(piece.omega().centre(), 2) : 1.0;
         const Eigen::Vector3d cu = centre(qu) / at_centre;
@@ -276,10 +198,7 @@ private:
         const double h1 = longest(m_t1) / smallest_weight;
         const double h2 = longest(m_t2) / smallest_weight;
         // |T1 x T2| >= (S_u x S_v) . n0 / sqrt(e g)
-        const Eigen::Vector3d n0 = centre(m_normal).normalized();
-        m_temporary.reset(m_normal[0].degree_u(), m_normal[0].degree_v());
-        for (int k = 0; k < 3; ++k)
-            m_temporary.add_raised(n0[k], m_normal[k]);
+        m_tangents.assign_height(m_temporary);
         const double area = m_temporary.range().low / (rational ? std::pow(weights.high, 3) : 1.0) / std::sqrt(e * g);
         if (!(area > 1e-6))
             return false;
@@ -307,7 +226,7 @@ private:
     //! W x M and M.M, where M is the normal with its zeros on borders divided out.
     bool general_form(Frame &frame, Scalars &scalars)
     {
-        m_divided = m_normal;
+        m_divided = m_tangents.normal();
         const double size = longest(m_divided);
         if (!(size > 0.0))
             return false;
@@ -317,7 +236,8 @@ private:
                 for (Bernstein &component : m_divided)
                     component.divide(border);
         const double unit = 1.0 / longest(m_divided);
-        frame.slope = (longest(m_pu) + longest(m_pv)) * unit;
+        frame.slope =
+            (longest(m_tangents.derivative_u().numerator) + longest(m_tangents.derivative_v().numerator)) * unit;
         for (Bernstein &component : m_divided)
             component.scale(unit);
         for (Bernstein *component : {&scalars.b, &scalars.c, &scalars.third})
@@ -346,8 +266,7 @@ private:
     void square_of_difference(const Piece &piece, Scalars &scalars)
     {
         assign_dot(m_w, m_w, scalars.a);
-        m_temporary.reset(2 * piece.omega().degree_u(), 2 * piece.omega().degree_v());
-        m_temporary.add_product(1.0, piece.omega(), piece.omega());
+        assign_product(piece.omega(), piece.omega(), m_temporary);
         scalars.a.add_raised(-m_d * m_d, m_temporary);
     }
 
@@ -456,8 +375,9 @@ private:
     double m_d;
     double m_target;
     bool m_sign_holds = true;
-    Bernstein3 m_w, m_pu, m_pv, m_qu, m_qv, m_t1, m_t2, m_cross, m_normal, m_divided;
-    Bernstein m_omega_u, m_omega_v, m_temporary;
+    PieceTangents m_tangents;
+    Bernstein3 m_w, m_t1, m_t2, m_divided;
+    Bernstein m_temporary;
     std::array<Scalars, scalar_depth + 2> m_scalars;
     Scalars m_spare;
 };
