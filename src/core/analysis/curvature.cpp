@@ -43,6 +43,15 @@ struct Node
     friend bool operator<(const Node &a, const Node &b) { return a.bound < b.bound; }
 };
 
+//! A piece of the base before any halving.
+struct RoughPiece
+{
+    std::pair<double, double> bounds;
+    std::size_t i = 0; //!< its knot intervals
+    std::size_t j = 0;
+    ParameterBox box;
+};
+
 struct Best
 {
     double value = 0.0; //!< turned; a flat surface's extreme is 0
@@ -67,6 +76,15 @@ public:
         : m_region(region), m_sign(goal.sign), m_threshold(goal.threshold), m_gap(goal.gap), m_floor(goal.floor),
           m_deciding(goal.deciding), m_best(start), m_bounder(goal.resolution)
     {
+    }
+
+    //! Do the rough bounds of a piece settle it? Then the piece itself is not needed.
+    bool closes(const std::pair<double, double> &rough)
+    {
+        const double bound = m_sign > 0.0 ? rough.second : -rough.first;
+        if (closed(bound))
+            settle(bound);
+        return closed(bound);
     }
 
     //! Takes a piece whose rough bounds are known; its centre has been probed.
@@ -205,6 +223,46 @@ std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion
     return best;
 }
 
+//! Gives both searches the pieces that the loops touch. All centres come first: the better the attained
+//! curvature, the fewer pieces stay open and are cut again.
+void hand_out_pieces(const TensorSpline &base, const LoopRegion &region, double resolution, SideSearch &lowest,
+                     SideSearch &highest)
+{
+    const std::vector<double> us = base.u.breaks();
+    const std::vector<double> vs = base.v.breaks();
+    SplinePieces pieces(base, us, vs);
+    CurvaturePieceBounder bounder(resolution);
+    RationalPiece piece;
+    std::vector<RoughPiece> rough;
+    for (std::size_t i = 0; i + 1 < us.size(); ++i)
+        for (std::size_t j = 0; j + 1 < vs.size(); ++j)
+        {
+            const ParameterBox box{us[i], us[i + 1], vs[j], vs[j + 1]};
+            if (!region.may_touch(box))
+                continue;
+            pieces.cut(i, j, pieces.near_point(i, j), piece);
+            const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
+            if (const auto k = bounder.at_centre(piece))
+            {
+                lowest.offer(*k, middle);
+                highest.offer(*k, middle);
+            }
+            rough.push_back({bounder.rough(piece), i, j, box});
+        }
+    for (const RoughPiece &r : rough)
+    {
+        const bool low_closes = lowest.closes(r.bounds);
+        const bool high_closes = highest.closes(r.bounds);
+        if (low_closes && high_closes)
+            continue;
+        pieces.cut(r.i, r.j, pieces.near_point(r.i, r.j), piece);
+        if (!low_closes)
+            lowest.add(r.bounds, piece, r.box, 0);
+        if (!high_closes)
+            highest.add(r.bounds, piece, r.box, 0);
+    }
+}
+
 } // namespace
 
 std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &jet)
@@ -240,34 +298,7 @@ CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &
     const double threshold = deciding ? 1.0 / search.distance : 0.0;
     SideSearch lowest(region, {-1.0, std::max(0.0, -threshold), search.gap, floor, resolution, deciding}, start.first);
     SideSearch highest(region, {1.0, std::max(0.0, threshold), search.gap, floor, resolution, deciding}, start.second);
-    const std::vector<double> us = base.spline()->u.breaks();
-    const std::vector<double> vs = base.spline()->v.breaks();
-    SplinePieces pieces(*base.spline(), us, vs);
-    CurvaturePieceBounder bounder(resolution);
-    RationalPiece piece;
-    const auto each_piece = [&](const auto &visit) {
-        for (std::size_t i = 0; i + 1 < us.size(); ++i)
-            for (std::size_t j = 0; j + 1 < vs.size(); ++j)
-                if (const ParameterBox box{us[i], us[i + 1], vs[j], vs[j + 1]}; region.may_touch(box))
-                {
-                    pieces.cut(i, j, pieces.near_point(i, j), piece);
-                    visit(box);
-                }
-    };
-    // all centres first: the better the attained curvature, the fewer pieces stay open
-    each_piece([&](const ParameterBox &box) {
-        const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
-        if (const auto k = bounder.at_centre(piece))
-        {
-            lowest.offer(*k, middle);
-            highest.offer(*k, middle);
-        }
-    });
-    each_piece([&](const ParameterBox &box) {
-        const std::pair<double, double> rough = bounder.rough(piece);
-        lowest.add(rough, piece, box, 0);
-        highest.add(rough, piece, box, 0);
-    });
+    hand_out_pieces(*base.spline(), region, resolution, lowest, highest);
     return {lowest.run(), highest.run()};
 }
 
