@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fitted offsets against S + d N at points that the engine does not know, over kinds, sizes and tolerances.
 #include "support/deviation.h"
+#include "support/offsets.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -30,15 +31,6 @@ namespace
 {
 
 TopoDS_Face whole(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-7); }
-
-Result<OffsetResult> offset(const TopoDS_Face &face, double distance, double tolerance, int max_degree = 7)
-{
-    OffsetOptions options;
-    options.distance = distance;
-    options.tolerance = tolerance;
-    options.max_degree = max_degree;
-    return offset_face(face, options);
-}
 
 Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face &face)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Feasible distances against surfaces whose radii are known, and against what offset_face makes of them.
+#include "support/offsets.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -41,14 +42,6 @@ struct Expected
     std::optional<double> negative;
     std::optional<double> positive;
 };
-
-Result<OffsetResult> offset(const TopoDS_Face &face, double distance)
-{
-    OffsetOptions options;
-    options.distance = distance;
-    options.tolerance = 1e-3;
-    return offset_face(face, options);
-}
 
 Handle(Geom_BSplineSurface) as_spline(const Handle(Geom_Surface) & round, double u0, double u1, double v0, double v1)
 {

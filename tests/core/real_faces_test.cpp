@@ -2,6 +2,7 @@
 // Offsets of real and of the project's own trimmed faces, judged by an oracle that shares no code with the engine.
 #include "support/data_files.h"
 #include "support/offset_oracle.h"
+#include "support/offsets.h"
 #include "support/sample_faces.h"
 
 #include <laminate_offset/offset_face.h>
@@ -22,22 +23,6 @@ namespace
 constexpr double tolerance = 1e-3;
 constexpr double clearly = 0.02;         // a curvature factor so far from zero leaves no doubt on a dense grid
 constexpr double oracle_rounding = 1e-9; // mm, of the oracle's own evaluation and search on models of metres
-
-Result<OffsetResult> offset(const TopoDS_Face &face, double distance)
-{
-    OffsetOptions options;
-    options.distance = distance;
-    options.tolerance = tolerance;
-    return offset_face(face, options);
-}
-
-std::string why(const Result<OffsetResult> &result)
-{
-    if (result.ok())
-        return "ok";
-    const Failure &failure = result.failure();
-    return std::string(name(failure.status)) + " at " + std::string(name(failure.stage)) + ": " + failure.message;
-}
 
 bool is_spline_face(const TopoDS_Face &face)
 {

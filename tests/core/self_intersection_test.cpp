@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Distant parts of an offset that meet, against known gaps and against OpenCASCADE's own offset points.
 #include "support/data_files.h"
+#include "support/offsets.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -95,21 +96,6 @@ double half_gap(const Handle(Geom_BSplineCurve) & profile)
             least = std::min(least, p.X());
     }
     return least;
-}
-
-Result<OffsetResult> offset(const TopoDS_Face &face, double distance)
-{
-    OffsetOptions options;
-    options.distance = distance;
-    options.tolerance = tolerance;
-    return offset_face(face, options);
-}
-
-std::string why(const Result<OffsetResult> &result)
-{
-    if (result.ok())
-        return "ok";
-    return std::string(name(result.failure().status)) + ": " + result.failure().message;
 }
 
 //! The exact offset of a place, from OpenCASCADE, in the face's position.

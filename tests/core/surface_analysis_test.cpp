@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curvature, creases and the feasible range, against OpenCASCADE and against surfaces whose radii are known.
+#include "support/offsets.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -36,14 +37,6 @@ TopoDS_Face spline_face(const Handle(Geom_Surface) & round, double u0, double u1
 
 // A stated limit is never past the true one; and it gives away at most so much of it.
 constexpr double given_away = 0.02;
-
-Result<OffsetResult> offset(const TopoDS_Face &face, double distance, double tolerance = 1e-3)
-{
-    OffsetOptions options;
-    options.distance = distance;
-    options.tolerance = tolerance;
-    return offset_face(face, options);
-}
 
 FeasibleRange range_of(const TopoDS_Face &face)
 {

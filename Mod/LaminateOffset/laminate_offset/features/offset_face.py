@@ -15,6 +15,7 @@ from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
 from .base_face import linked_faces, place_result, rooted
 from .properties import HIDDEN, READ_ONLY, Property, add_missing
+from .stateless import StatelessProxy
 
 METHODS = ["same-parameter", "ravi-kumar"]
 
@@ -58,7 +59,7 @@ _PROPERTIES = (
 )
 
 
-class OffsetFaceFeature:
+class OffsetFaceFeature(StatelessProxy):
     """Proxy of the Part::FeaturePython object. It keeps no state: all of it is in properties."""
 
     VIEW_PROVIDER = ViewProvider(
@@ -77,22 +78,6 @@ class OffsetFaceFeature:
         """Adds what an older version, or a document saved without the GUI, does not have."""
         self._prepare(obj)
         _attach_view_provider(obj)
-
-    def dumps(self) -> None:
-        """Nothing to save (FreeCAD 0.21 and later)."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing to restore (FreeCAD 0.21 and later)."""
-        return None
-
-    def __getstate__(self) -> None:
-        """Nothing to save (FreeCAD 0.20)."""
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        """Nothing to restore (FreeCAD 0.20)."""
-        return None
 
     @staticmethod
     def _prepare(obj: Any) -> None:

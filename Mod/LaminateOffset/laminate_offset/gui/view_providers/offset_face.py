@@ -5,6 +5,7 @@ from typing import Any
 
 from .. import progress as progress_dialog
 from ...features import progress
+from ...features.stateless import StatelessProxy
 from ...view_settings import OFFSET_LOOK
 from ..resources import icon
 
@@ -18,7 +19,7 @@ def attach_missing(vobj: Any) -> None:
         vobj.Visibility = True  # FreeCAD hides what comes without view settings
 
 
-class OffsetFaceViewProvider:
+class OffsetFaceViewProvider(StatelessProxy):
     """Proxy of the view provider. Colours are set once, at creation: later they are the user's."""
 
     def __init__(self, vobj: Any):
@@ -60,19 +61,3 @@ class OffsetFaceViewProvider:
         if not FreeCADGui.Control.activeDialog():
             FreeCADGui.getDocument(vobj.Object.Document.Name).setEdit(vobj.Object.Name)
         return True
-
-    def dumps(self) -> None:
-        """Nothing to save (FreeCAD 0.21 and later)."""
-        return None
-
-    def loads(self, state: Any) -> None:
-        """Nothing to restore (FreeCAD 0.21 and later)."""
-        return None
-
-    def __getstate__(self) -> None:
-        """Nothing to save (FreeCAD 0.20)."""
-        return None
-
-    def __setstate__(self, state: Any) -> None:
-        """Nothing to restore (FreeCAD 0.20)."""
-        return None
