@@ -145,6 +145,8 @@ void widen(double &low, double &high, double first, double last, bool periodic)
 
 } // namespace
 
+double ModelError::of_offset(double distance) const { return point + std::abs(distance) * normal; }
+
 BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box) : m_surface(surface), m_box(box)
 {
     if (const Handle(Geom_BSplineSurface) spline = same_parameter_spline(surface, box); !spline.IsNull())

@@ -19,6 +19,18 @@ struct SmoothnessBreak
     int continuity = 0;
 };
 
+//! How far the spline that stands for the base may be from the base itself: proven bounds at equal
+//! parameters, rounding included. All zero where the spline is the base.
+struct ModelError
+{
+    double point = 0.0;     //!< |S - S*| [mm]
+    double normal = 0.0;    //!< |N - N*|
+    double curvature = 0.0; //!< of the principal curvatures [1/mm]
+
+    //! What it adds to the error of S + distance * N [mm].
+    [[nodiscard]] double of_offset(double distance) const;
+};
+
 //! Evaluates the base surface in one of two ways: as its own tensor-product spline where the surface
 //! is one in the same parameters, else through Geom_Surface.
 class BaseSurface
@@ -28,8 +40,9 @@ public:
     BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box);
 
     [[nodiscard]] const ParameterBox &box() const { return m_box; }
-    //! The base as a spline in the same parameters, if it is one.
+    //! The base as a spline in the same parameters, or a spline within model_error() of it, if there is one.
     [[nodiscard]] const std::optional<TensorSpline> &spline() const { return m_spline; }
+    [[nodiscard]] const ModelError &model_error() const { return m_model_error; }
     //! Interior breaks in increasing order.
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_u() const { return m_breaks_u; }
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_v() const { return m_breaks_v; }
@@ -55,6 +68,7 @@ private:
     Handle(Geom_Surface) m_surface;
     ParameterBox m_box;
     std::optional<TensorSpline> m_spline;
+    ModelError m_model_error;
     std::vector<SmoothnessBreak> m_breaks_u;
     std::vector<SmoothnessBreak> m_breaks_v;
 };

@@ -85,6 +85,15 @@ Result<bool> check_creases(const BaseSurface &base, const InputFace &input, cons
         input, worst.uv);
 }
 
+//! Bounds of the model's curvatures become bounds of the base's.
+void allow_for_model(const ModelError &error, CurvatureExtremes &extremes)
+{
+    extremes.lowest.proven -= error.curvature;
+    extremes.lowest.attained = std::min(0.0, extremes.lowest.attained + error.curvature);
+    extremes.highest.proven += error.curvature;
+    extremes.highest.attained = std::max(0.0, extremes.highest.attained - error.curvature);
+}
+
 } // namespace
 
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
@@ -97,8 +106,8 @@ Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, doubl
 
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap)
 {
-    const CurvatureExtremes extremes =
-        curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
+    CurvatureExtremes extremes = curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
+    allow_for_model(analysis.base.model_error(), extremes);
     const double flat = flat_curvature / input.diagonal;
     const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
         if (std::abs(k.proven) <= flat)

@@ -109,7 +109,7 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
     return spline;
 }
 
-//! Largest deviation from the exact offset between the samples of the fit.
+//! Largest deviation from the exact offset between the samples of the fit; a model's error comes on top of it.
 double deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
 {
     const auto us = span_parameters(spline.u, base.interval_ends_u(), checks_per_span, 1);
@@ -122,7 +122,7 @@ double deviation(const BaseSurface &base, const TensorSpline &spline, double dis
     double worst = 0.0;
     for (std::size_t i = 0; i < exact.size(); ++i)
         worst = std::max(worst, (exact[i] - fitted[i].s).squaredNorm());
-    return std::sqrt(worst);
+    return std::sqrt(worst) + base.model_error().of_offset(distance);
 }
 
 //! The certificate's bound over the trimmed region; nothing for a base that is no spline in its own parameters.
@@ -132,7 +132,8 @@ std::optional<double> proven_bound(const SurfaceAnalysis &analysis, const Tensor
     if (!analysis.base.spline())
         return std::nullopt;
     const auto needed = [&](const ParameterBox &box) { return analysis.region.may_touch(box); };
-    return certify({*analysis.base.spline(), spline, distance, tolerance, needed}).bound;
+    const double of_model = analysis.base.model_error().of_offset(distance);
+    return of_model + certify({*analysis.base.spline(), spline, distance, tolerance - of_model, needed}).bound;
 }
 
 struct DirectionChoices
@@ -186,16 +187,17 @@ Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFac
 {
     const BaseSurface &base = analysis.base;
     OffsetSampler sampler(base, distance);
+    const double left = tolerance - base.model_error().of_offset(distance); // for the fit
     double share = first_direction_share;
     double closest = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round)
+    for (int round = 0; left > 0.0 && round < most_rounds; ++round)
     {
         const auto cancelled = [&](double part) {
             return options.progress && !options.progress((round + part) / most_rounds);
         };
         if (cancelled(0.0))
             return cancellation();
-        const DirectionChoices choices = choose_directions(base, sampler, share * tolerance, options);
+        const DirectionChoices choices = choose_directions(base, sampler, share * left, options);
         if (sampler.singular())
             return singular_refusal(input, *sampler.singular());
         if (!choices.u || !choices.v)
