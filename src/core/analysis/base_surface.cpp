@@ -170,6 +170,16 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
         [&](TColStd_Array1OfReal &ends, GeomAbs_Shape s) { adaptor.VIntervals(ends, s); });
 }
 
+void BaseSurface::adopt_model(TensorSpline model, const ModelError &error)
+{
+    m_model_error.point += error.point;
+    m_model_error.normal += error.normal;
+    m_model_error.curvature += error.curvature;
+    m_breaks_u = spline_breaks(model.u);
+    m_breaks_v = spline_breaks(model.v);
+    m_spline = std::move(model);
+}
+
 std::vector<double> BaseSurface::interval_ends_u() const { return with_ends(m_box.umin, m_breaks_u, m_box.umax); }
 
 std::vector<double> BaseSurface::interval_ends_v() const { return with_ends(m_box.vmin, m_breaks_v, m_box.vmax); }

@@ -39,6 +39,9 @@ public:
     //! \param box part of the surface that has to be evaluated; a spline base is cut down to it.
     BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box);
 
+    //! From here on another spline, within `error` of this one and over the same box, stands for the base.
+    void adopt_model(TensorSpline model, const ModelError &error);
+
     [[nodiscard]] const ParameterBox &box() const { return m_box; }
     //! The base as a spline in the same parameters, or a spline within model_error() of it, if there is one.
     [[nodiscard]] const std::optional<TensorSpline> &spline() const { return m_spline; }

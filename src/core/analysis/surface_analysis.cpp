@@ -2,6 +2,7 @@
 #include "surface_analysis.h"
 
 #include "curvature.h"
+#include "light_model.h"
 
 #include <fmt/format.h>
 
@@ -123,8 +124,13 @@ void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double dista
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
 {
     Result<SurfaceAnalysis> analysis = read_base(input, distance, tolerance);
-    if (analysis)
-        find_limits(analysis.value(), input, distance, limit_gap);
+    if (!analysis)
+        return analysis;
+    BaseSurface &base = analysis.value().base;
+    if (base.spline())
+        if (std::optional<LightModel> light = light_model(*base.spline(), distance, tolerance))
+            base.adopt_model(std::move(light->spline), light->error);
+    find_limits(analysis.value(), input, distance, limit_gap);
     return analysis;
 }
 

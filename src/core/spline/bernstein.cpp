@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bernstein.h"
 
+#include "../base/vectorised.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,27 +11,35 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int largest_degree = 127;
-
-std::vector<double> pascal_triangle()
+constexpr BinomialTable pascal_triangle()
 {
-    std::vector<double> table(static_cast<std::size_t>((largest_degree + 1) * (largest_degree + 1)), 0.0);
-    const auto at = [&](int n, int k) -> double & {
-        return table[static_cast<std::size_t>(n * (largest_degree + 1) + k)];
-    };
-    for (int n = 0; n <= largest_degree; ++n)
+    BinomialTable table{};
+    for (std::size_t n = 0; n < table.size(); ++n)
     {
-        at(n, 0) = 1.0;
-        for (int k = 1; k <= n; ++k)
-            at(n, k) = at(n - 1, k - 1) + (k < n ? at(n - 1, k) : 0.0);
+        table[n][0] = 1.0;
+        for (std::size_t k = 1; k <= n; ++k)
+            table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0.0);
     }
     return table;
 }
 
-const double *binomials(int n)
+constexpr BinomialTable inverted(BinomialTable table)
 {
-    static const std::vector<double> table = pascal_triangle();
-    return table.data() + n * (largest_degree + 1);
+    for (auto &row : table)
+        for (double &c : row)
+            c = c > 0.0 ? 1.0 / c : 0.0;
+    return table;
+}
+
+const double *binomials(int n) { return binomial_table[static_cast<std::size_t>(n)].data(); }
+const double *inverse_binomials(int n) { return inverse_binomial_table[static_cast<std::size_t>(n)].data(); }
+
+//! to += x from, the loop in which products spend their time.
+LAMINATE_OFFSET_VECTORISED
+void add_multiple(double x, const double *__restrict from, double *__restrict to, int count)
+{
+    for (int k = 0; k < count; ++k)
+        to[k] += x * from[k];
 }
 
 //! Pole weights of the blossom with a repeated p - i and b repeated i times, on one span (de Boor).
@@ -60,7 +70,8 @@ void blossom_weights(const KnotVector &kv, int span, double a, double b, int i, 
 
 } // namespace
 
-double binomial(int n, int k) { return binomials(n)[k]; }
+constinit const BinomialTable binomial_table = pascal_triangle();
+constinit const BinomialTable inverse_binomial_table = inverted(pascal_triangle());
 
 double Bernstein::Range::size() const { return std::max(std::abs(low), std::abs(high)); }
 
@@ -73,33 +84,32 @@ void Bernstein::reset(int m, int n)
 
 void Bernstein::add_product(double factor, const Bernstein &a, const Bernstein &b)
 {
-    const int width_b = b.m_n + 1;
+    // With b's rows as far apart as those of the product, each coefficient of a adds one long run.
+    const int width = m_n + 1;
+    const int run = b.m_m * width + b.m_n + 1;
+    thread_local std::vector<double> spread;
+    spread.assign(static_cast<std::size_t>(run), 0.0);
+    for (int k = 0; k <= b.m_m; ++k)
+        std::copy_n(b.m_c.data() + k * (b.m_n + 1), b.m_n + 1, spread.data() + k * width);
     for (int i = 0; i <= a.m_m; ++i)
         for (int j = 0; j <= a.m_n; ++j)
-        {
-            const double x = factor * a.scaled(i, j);
-            for (int k = 0; k <= b.m_m; ++k)
-            {
-                const double *from = b.m_c.data() + k * width_b;
-                double *to = m_c.data() + (i + k) * (m_n + 1) + j;
-                for (int l = 0; l < width_b; ++l)
-                    to[l] += x * from[l];
-            }
-        }
+            if (const double x = factor * a.scaled(i, j); x != 0.0)
+                add_multiple(x, spread.data(), m_c.data() + i * width + j, run);
 }
 
 void Bernstein::add_raised(double factor, const Bernstein &a)
 {
-    const double *one_u = binomials(m_m - a.m_m);
-    const double *one_v = binomials(m_n - a.m_n);
+    const int rise_u = m_m - a.m_m;
+    const int rise_v = m_n - a.m_n;
+    if (rise_u == 0 && rise_v == 0)
+        return add_multiple(factor, a.m_c.data(), m_c.data(), static_cast<int>(m_c.size()));
+    const double *one_u = binomials(rise_u);
+    const double *one_v = binomials(rise_v);
     for (int i = 0; i <= a.m_m; ++i)
-        for (int k = 0; k <= m_m - a.m_m; ++k)
-            for (int j = 0; j <= a.m_n; ++j)
-            {
-                const double x = factor * one_u[k] * a.scaled(i, j);
-                for (int l = 0; l <= m_n - a.m_n; ++l)
-                    scaled(i + k, j + l) += x * one_v[l];
-            }
+        for (int k = 0; k <= rise_u; ++k)
+            for (int l = 0; l <= rise_v; ++l)
+                add_multiple(factor * one_u[k] * one_v[l], &a.m_c[static_cast<std::size_t>(i * (a.m_n + 1))],
+                             &scaled(i + k, l), a.m_n + 1);
 }
 
 void Bernstein::scale(double factor)
@@ -131,7 +141,7 @@ void Bernstein::halve(bool along_u, Bernstein &upper)
     const int degree = along_u ? m_m : m_n;
     const int lines = along_u ? m_n : m_m;
     const double *weights = binomials(degree);
-    std::array<double, largest_degree + 1> points;
+    std::array<double, largest_bernstein_degree + 1> points;
     for (int line = 0; line <= lines; ++line)
     {
         const auto at = [&](Bernstein &b, int k) -> double & {
@@ -180,18 +190,17 @@ double Bernstein::border_size(Border border) const
 
 Bernstein::Range Bernstein::range() const
 {
-    Range range{coefficient(0, 0), coefficient(0, 0)};
+    const double *rows = inverse_binomials(m_m);
+    const double *columns = inverse_binomials(m_n);
+    Range range{scaled(0, 0), scaled(0, 0)};
+    const double *next = m_c.data();
     for (int i = 0; i <= m_m; ++i)
-    {
-        const double row = binomial(m_m, i);
-        const double *weights = binomials(m_n);
-        for (int j = 0; j <= m_n; ++j)
+        for (int j = 0; j <= m_n; ++j, ++next)
         {
-            const double c = scaled(i, j) / (row * weights[j]);
-            range.low = std::min(range.low, c);
-            range.high = std::max(range.high, c);
+            const double c = *next * (rows[i] * columns[j]);
+            range.low = c < range.low ? c : range.low;
+            range.high = c > range.high ? c : range.high;
         }
-    }
     return range;
 }
 
@@ -209,10 +218,10 @@ double longest(const Bernstein3 &a)
     for (int i = 0; i <= a[0].degree_u(); ++i)
         for (int j = 0; j <= a[0].degree_v(); ++j)
         {
-            const double weight = binomial(a[0].degree_u(), i) * binomial(a[0].degree_v(), j);
+            const double share = inverse_binomials(a[0].degree_u())[i] * inverse_binomials(a[0].degree_v())[j];
             const double square = a[0].scaled(i, j) * a[0].scaled(i, j) + a[1].scaled(i, j) * a[1].scaled(i, j) +
                                   a[2].scaled(i, j) * a[2].scaled(i, j);
-            largest = std::max(largest, square / (weight * weight));
+            largest = std::max(largest, square * (share * share));
         }
     return std::sqrt(largest);
 }

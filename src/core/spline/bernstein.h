@@ -16,8 +16,22 @@
 namespace laminate_offset
 {
 
-//! Binomial coefficient; n up to 127.
-double binomial(int n, int k);
+inline constexpr int largest_bernstein_degree = 127;
+
+//! Row n holds the binomial coefficients of n, or their inverses.
+using BinomialTable = std::array<std::array<double, largest_bernstein_degree + 1>, largest_bernstein_degree + 1>;
+extern const BinomialTable binomial_table;
+extern const BinomialTable inverse_binomial_table;
+
+//! Binomial coefficient; n up to largest_bernstein_degree.
+inline double binomial(int n, int k)
+{
+    return binomial_table[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+}
+inline double inverse_binomial(int n, int k)
+{
+    return inverse_binomial_table[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+}
 
 //! A scalar polynomial of degree (m, n). Reassigning keeps the storage, so a workspace does not allocate.
 class Bernstein
@@ -36,7 +50,7 @@ public:
     //! The Bernstein coefficient itself.
     [[nodiscard]] double coefficient(int i, int j) const
     {
-        return scaled(i, j) / (binomial(m_m, i) * binomial(m_n, j));
+        return scaled(i, j) * (inverse_binomial(m_m, i) * inverse_binomial(m_n, j));
     }
     void set_coefficient(int i, int j, double value) { scaled(i, j) = value * binomial(m_m, i) * binomial(m_n, j); }
 

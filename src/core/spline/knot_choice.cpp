@@ -37,6 +37,11 @@ class SampledData
 public:
     explicit SampledData(const KnotProblem &problem) : m_problem(problem)
     {
+        if (problem.fine)
+        {
+            take(problem.fine->pole_parameters());
+            return;
+        }
         std::vector<double> breaks{problem.low};
         for (const DataBreak &b : problem.breaks)
             breaks.push_back(b.parameter);
@@ -56,6 +61,8 @@ public:
     //! Does every span hold more samples than the degree?
     [[nodiscard]] bool dense_enough(const KnotVector &kv) const
     {
+        if (m_problem.fine)
+            return true;
         const std::vector<double> spans = kv.breaks();
         auto from = m_parameters.begin();
         for (std::size_t i = 1; i < spans.size(); ++i)
@@ -66,6 +73,13 @@ public:
             from = to;
         }
         return true;
+    }
+
+    //! The least-squares problem of these data over some knots.
+    [[nodiscard]] std::optional<LeastSquaresFit> fit_over(const KnotVector &kv) const
+    {
+        return m_problem.fine ? LeastSquaresFit::make_reduction(kv, *m_problem.fine)
+                              : LeastSquaresFit::make(kv, m_parameters);
     }
 
     [[nodiscard]] const std::vector<double> &parameters() const { return m_parameters; }
@@ -117,7 +131,7 @@ private:
         Trial trial;
         trial.knots = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
         trial.interior = std::move(interior);
-        const auto solver = LeastSquaresFit::make(trial.knots, m_data.parameters());
+        const auto solver = m_data.fit_over(trial.knots);
         if (!solver)
             return std::nullopt;
         const CompressedRows &rows = m_data.rows();
@@ -160,7 +174,7 @@ private:
             return added.push_back(nearest);
         const bool left = raise(trial, a, added);
         const bool right = raise(trial, b, added);
-        if (!left && !right && b - a > smallest_span * (m_problem.high - m_problem.low))
+        if (!left && !right && !m_problem.fine && b - a > smallest_span * (m_problem.high - m_problem.low))
             added.push_back(middle);
     }
 

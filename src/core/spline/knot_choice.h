@@ -27,6 +27,10 @@ struct KnotProblem
     std::vector<DataBreak> breaks; //!< interior, increasing
     //! Values at increasing parameters: one row a parameter, columns in triples (x, y, z of a curve).
     std::function<RowMatrix(const std::vector<double> &)> sample;
+    //! Data reduction (Lyche & Morken 1987): where given, the curves are splines over these knots, `sample` returns
+    //! their poles, and the tolerance bounds the change of every pole, which bounds the curves' everywhere.
+    //! The chosen knots are some of these; the degree is theirs and `breaks` are their interior knots.
+    const KnotVector *fine = nullptr;
     double tolerance = 1e-3; //!< longest admissible point error
     int min_degree = 1;
     int max_degree = 7;

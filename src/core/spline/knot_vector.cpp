@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 
 namespace laminate_offset
 {
@@ -35,6 +36,14 @@ std::vector<double> KnotVector::breaks() const
     std::vector<double> result;
     for (const Knot &knot : distinct())
         result.push_back(knot.parameter);
+    return result;
+}
+
+std::vector<double> KnotVector::pole_parameters() const
+{
+    std::vector<double> result;
+    for (auto first = knots.begin() + 1; first + degree != knots.end(); ++first)
+        result.push_back(std::accumulate(first, first + degree, 0.0) / degree);
     return result;
 }
 
@@ -98,6 +107,26 @@ void differentiate(const double *t, int q, double *values)
     }
 }
 
+//! The blossom's weights at x[0..p-1] on the span that starts at t[0]: values_of_degree with an argument of its
+//! own for every degree.
+void blossom_values(const double *t, int p, const double *x, double *values)
+{
+    values[0] = 1.0;
+    for (int j = 1; j <= p; ++j)
+    {
+        double saved = 0.0;
+        for (int r = 0; r < j; ++r)
+        {
+            const double right = t[r + 1] - x[j - 1];
+            const double left = x[j - 1] - t[1 - j + r];
+            const double part = values[r] / (right + left);
+            values[r] = saved + right * part;
+            saved = left * part;
+        }
+        values[j] = saved;
+    }
+}
+
 } // namespace
 
 void basis_values(const KnotVector &kv, int span, double u, double *values)
@@ -134,6 +163,23 @@ BasisRows::BasisRows(const KnotVector &kv, const std::vector<double> &parameters
         m_first[r] = s - kv.degree;
         basis_derivatives(kv, s, parameters[r], order, m_values.data() + r * m_orders * m_width);
     }
+}
+
+BasisRows BasisRows::insertion(const KnotVector &coarse, const KnotVector &fine)
+{
+    const int poles = fine.pole_count();
+    BasisRows rows;
+    rows.m_width = coarse.degree + 1;
+    rows.m_first.resize(static_cast<std::size_t>(poles));
+    rows.m_values.resize(static_cast<std::size_t>(poles * rows.m_width));
+    for (int r = 0; r < poles; ++r)
+    {
+        const int span = coarse.span(fine.knots[static_cast<std::size_t>(r)]);
+        rows.m_first[static_cast<std::size_t>(r)] = span - coarse.degree;
+        blossom_values(coarse.knots.data() + span, coarse.degree, fine.knots.data() + r + 1,
+                       rows.m_values.data() + static_cast<std::ptrdiff_t>(r) * rows.m_width);
+    }
+    return rows;
 }
 
 } // namespace laminate_offset

@@ -36,6 +36,9 @@ struct KnotVector
 
     //! The distinct parameters only.
     [[nodiscard]] std::vector<double> breaks() const;
+
+    //! The parameter to which each pole belongs: the mean of the degree knots inside its support (Greville).
+    [[nodiscard]] std::vector<double> pole_parameters() const;
 };
 
 //! Clamped vector on [a, b] with the given interior knots (sorted, repeated as wanted).
@@ -57,6 +60,11 @@ public:
     //! \param order derivatives 0..order are tabulated.
     BasisRows(const KnotVector &kv, const std::vector<double> &parameters, int order = 0);
 
+    //! The matrix of knot insertion: row r gives pole r over the `fine` knots from the poles over the `coarse`
+    //! ones (Oslo algorithm, Cohen, Lyche & Riesenfeld 1980). Both of one degree and range; every knot of
+    //! `coarse` stands in `fine` at least as often.
+    static BasisRows insertion(const KnotVector &coarse, const KnotVector &fine);
+
     [[nodiscard]] int rows() const { return static_cast<int>(m_first.size()); }
     [[nodiscard]] int width() const { return m_width; }
     //! Index of the first pole that row r touches.
@@ -68,6 +76,8 @@ public:
     }
 
 private:
+    BasisRows() = default;
+
     int m_width = 0;
     int m_orders = 1;
     std::vector<int> m_first;

@@ -14,16 +14,30 @@ constexpr double smallest_pivot = 1e-13;
 
 } // namespace
 
-LeastSquaresFit::LeastSquaresFit(const KnotVector &kv, const std::vector<double> &parameters)
-    : m_poles(kv.pole_count()), m_basis(kv, parameters)
+RowMatrix transposed_points(const RowMatrix &points)
 {
+    RowMatrix result(points.cols() / 3, 3 * points.rows());
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        for (Eigen::Index j = 0; j < result.rows(); ++j)
+            result.row(j).segment<3>(3 * i) = points.row(i).segment<3>(3 * j);
+    return result;
 }
+
+LeastSquaresFit::LeastSquaresFit(int poles, BasisRows basis) : m_poles(poles), m_basis(std::move(basis)) {}
 
 std::optional<LeastSquaresFit> LeastSquaresFit::make(const KnotVector &kv, const std::vector<double> &parameters)
 {
     if (static_cast<int>(parameters.size()) < kv.pole_count())
         return std::nullopt;
-    LeastSquaresFit fit(kv, parameters);
+    LeastSquaresFit fit(kv.pole_count(), BasisRows(kv, parameters));
+    if (!fit.factorise())
+        return std::nullopt;
+    return fit;
+}
+
+std::optional<LeastSquaresFit> LeastSquaresFit::make_reduction(const KnotVector &coarse, const KnotVector &fine)
+{
+    LeastSquaresFit fit(coarse.pole_count(), BasisRows::insertion(coarse, fine));
     if (!fit.factorise())
         return std::nullopt;
     return fit;

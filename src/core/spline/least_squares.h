@@ -16,6 +16,9 @@ namespace laminate_offset
 //! Row-major, so that one sample (or one pole) of all columns lies together.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+//! Points on a grid, one row of points for each row, as one row for each column.
+RowMatrix transposed_points(const RowMatrix &points);
+
 //! The factorised normal equations of one spline space and one set of sample parameters. The first
 //! and the last sample must lie at the ends of the knot vector and are interpolated.
 class LeastSquaresFit
@@ -23,6 +26,9 @@ class LeastSquaresFit
 public:
     //! \return nothing when the samples do not determine the poles (Schoenberg-Whitney).
     static std::optional<LeastSquaresFit> make(const KnotVector &kv, const std::vector<double> &parameters);
+
+    //! Of data that is given by poles over finer knots: "samples" are those poles, residuals their changes.
+    static std::optional<LeastSquaresFit> make_reduction(const KnotVector &coarse, const KnotVector &fine);
 
     //! Poles (pole_count x columns) that fit `samples` (parameters x columns).
     [[nodiscard]] RowMatrix solve(const RowMatrix &samples) const;
@@ -33,7 +39,7 @@ public:
     [[nodiscard]] const BasisRows &basis() const { return m_basis; }
 
 private:
-    LeastSquaresFit(const KnotVector &kv, const std::vector<double> &parameters);
+    LeastSquaresFit(int poles, BasisRows basis);
     bool factorise();
 
     int m_poles = 0;

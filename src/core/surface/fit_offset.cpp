@@ -91,11 +91,7 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
     if (!fit_u || !fit_v)
         return std::nullopt;
     const RowMatrix by_u = fit_u->solve(sampler.rows(us, vs, false)); // pole_u x (3 vs)
-    RowMatrix by_v(static_cast<Eigen::Index>(vs.size()), 3 * by_u.rows());
-    for (Eigen::Index i = 0; i < by_u.rows(); ++i)
-        for (Eigen::Index l = 0; l < by_v.rows(); ++l)
-            by_v.row(l).segment<3>(3 * i) = by_u.row(i).segment<3>(3 * l);
-    const RowMatrix net = fit_v->solve(by_v); // pole_v x (3 pole_u)
+    const RowMatrix net = fit_v->solve(transposed_points(by_u));      // pole_v x (3 pole_u)
     TensorSpline spline;
     spline.u = u;
     spline.v = v;
