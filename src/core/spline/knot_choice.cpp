@@ -23,8 +23,13 @@ constexpr double smallest_span = 1e-5;
 constexpr int last_tries = 4;
 // The middle degrees win most often, and what they reach cuts the others short.
 constexpr int degree_order[] = {4, 5, 3, 6, 7, 2, 1};
-// A refined fit of this many times the best pole count is not worth thinning out.
+// A refined fit of this many times the best pole count is not worth thinning out; polylines and parabolas, which
+// refine without end where they do not fit at once, have to win as they are.
 constexpr int worth_thinning = 2;
+constexpr int lowest_thinned_degree = 3;
+// The error of n poles falls like n^-(degree + 1) on smooth data, and faster where knots go where they are needed:
+// a search is left when even this part of the poles so predicted is too many.
+constexpr double prediction_share = 0.25;
 
 void add_chebyshev(double a, double b, int count, std::vector<double> &parameters)
 {
@@ -104,7 +109,7 @@ struct Trial
     std::vector<double> interior;
     KnotVector knots;
     RowMatrix poles;
-    std::vector<double> errors; //!< by sample
+    std::vector<double> errors; //!< by sample, while knots are added
     double error = 0.0;
 };
 
@@ -126,7 +131,8 @@ public:
     }
 
 private:
-    [[nodiscard]] std::optional<Trial> fit(std::vector<double> interior) const
+    //! A fit whose errors are still to be found, with the residual of the compressed rows.
+    [[nodiscard]] std::optional<Trial> solve(std::vector<double> interior, RowMatrix &residual) const
     {
         Trial trial;
         trial.knots = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
@@ -134,11 +140,44 @@ private:
         const auto solver = m_data.fit_over(trial.knots);
         if (!solver)
             return std::nullopt;
-        const CompressedRows &rows = m_data.rows();
-        trial.poles = solver->solve(rows.factor);
-        trial.errors = rows.point_errors(solver->residual(trial.poles, rows.factor), m_problem.tolerance);
-        trial.error = *std::max_element(trial.errors.begin(), trial.errors.end());
+        trial.poles = solver->solve(m_data.rows().factor);
+        residual = solver->residual(trial.poles, m_data.rows().factor);
         return trial;
+    }
+
+    [[nodiscard]] std::optional<Trial> fit(std::vector<double> interior) const
+    {
+        RowMatrix residual;
+        std::optional<Trial> trial = solve(std::move(interior), residual);
+        if (!trial)
+            return std::nullopt;
+        trial->errors = m_data.rows().point_errors(residual, m_problem.tolerance);
+        trial->error = *std::max_element(trial->errors.begin(), trial->errors.end());
+        return trial;
+    }
+
+    //! Nothing where the tolerance is not met; such fits are left as soon as that shows.
+    [[nodiscard]] std::optional<Trial> fit_within_tolerance(std::vector<double> interior) const
+    {
+        RowMatrix residual;
+        std::optional<Trial> trial = solve(std::move(interior), residual);
+        if (!trial)
+            return std::nullopt;
+        const std::optional<double> error = m_data.rows().largest_error(residual, m_problem.tolerance);
+        if (!error)
+            return std::nullopt;
+        trial->error = *error;
+        return trial;
+    }
+
+    //! Will the search need more poles than the best one so far leaves it? Nobody can say while breaks are left that
+    //! may settle it at one blow.
+    [[nodiscard]] bool hopeless(const Trial &trial) const
+    {
+        if (m_degree >= lowest_thinned_degree && trial.interior.size() < m_problem.breaks.size())
+            return false;
+        const double growth = std::pow(trial.error / m_problem.tolerance, 1.0 / (m_degree + 1));
+        return prediction_share * growth * trial.knots.pole_count() > m_most_poles;
     }
 
     [[nodiscard]] int full_multiplicity(const DataBreak &b) const
@@ -207,6 +246,8 @@ private:
             std::optional<Trial> trial = fit(interior);
             if (!trial || trial->error <= m_problem.tolerance)
                 return trial;
+            if (hopeless(*trial))
+                return std::nullopt;
             const std::vector<double> added = relief(*trial);
             if (added.empty())
                 return std::nullopt;
@@ -276,10 +317,7 @@ private:
         for (std::size_t i = 0; i < trial.interior.size(); ++i)
             if (!gone[i + 1])
                 interior.push_back(trial.interior[i]);
-        std::optional<Trial> thinner = fit(std::move(interior));
-        if (thinner && thinner->error > m_problem.tolerance)
-            thinner.reset();
-        return thinner;
+        return fit_within_tolerance(std::move(interior));
     }
 
     //! Removes batches of knots, halving the batch whenever it breaks the tolerance.
@@ -320,7 +358,8 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
         const int fewest = best ? best->knots.pole_count() : problem.max_poles;
         if (degree + 1 >= fewest)
             continue;
-        const int most = best ? std::min(problem.max_poles, worth_thinning * fewest) : problem.max_poles;
+        const int excess = degree < lowest_thinned_degree ? 1 : worth_thinning;
+        const int most = best ? std::min(problem.max_poles, excess * fewest) : problem.max_poles;
         const std::optional<Trial> trial = DegreeSearch(problem, data, degree, most).run();
         if (trial && trial->knots.pole_count() < fewest)
             best = KnotChoice{trial->knots, trial->error};

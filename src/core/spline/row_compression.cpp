@@ -20,24 +20,48 @@ double longest_point(const RowMatrix &rows)
 
 } // namespace
 
+Eigen::VectorXd CompressedRows::quick_bounds(const RowMatrix &factor_error) const
+{
+    const Eigen::Map<const Eigen::VectorXd> reaches(reach.data(), static_cast<Eigen::Index>(reach.size()));
+    return (factor_error.cwiseAbs() * reaches).array() + remainder;
+}
+
+double CompressedRows::exact_error(const RowMatrix &factor_error, Eigen::Index row, Eigen::RowVectorXd &points) const
+{
+    points.noalias() = factor_error.row(row) * combination;
+    double longest = 0.0;
+    for (Eigen::Index c = 0; c + 2 < points.size(); c += 3)
+        longest = std::max(longest, points.segment<3>(c).squaredNorm());
+    return std::sqrt(longest) + remainder;
+}
+
 std::vector<double> CompressedRows::point_errors(const RowMatrix &factor_error, double enough) const
 {
-    std::vector<double> errors(static_cast<std::size_t>(factor_error.rows()));
-    Eigen::RowVectorXd point_row(combination.cols());
-    const Eigen::Map<const Eigen::VectorXd> reaches(reach.data(), static_cast<Eigen::Index>(reach.size()));
+    const Eigen::VectorXd quick = quick_bounds(factor_error);
+    std::vector<double> errors(quick.begin(), quick.end());
+    Eigen::RowVectorXd points(combination.cols());
     for (Eigen::Index r = 0; r < factor_error.rows(); ++r)
-    {
-        double &error = errors[static_cast<std::size_t>(r)];
-        error = factor_error.row(r).cwiseAbs().dot(reaches.transpose()) + remainder;
-        if (error <= enough)
-            continue;
-        point_row.noalias() = factor_error.row(r) * combination;
-        double longest = 0.0;
-        for (Eigen::Index c = 0; c + 2 < point_row.size(); c += 3)
-            longest = std::max(longest, point_row.segment<3>(c).squaredNorm());
-        error = std::sqrt(longest) + remainder;
-    }
+        if (double &error = errors[static_cast<std::size_t>(r)]; error > enough)
+            error = exact_error(factor_error, r, points);
     return errors;
+}
+
+std::optional<double> CompressedRows::largest_error(const RowMatrix &factor_error, double most) const
+{
+    // the row that looks worst first: it settles most refusals
+    Eigen::VectorXd quick = quick_bounds(factor_error);
+    Eigen::RowVectorXd points(combination.cols());
+    double largest = 0.0;
+    Eigen::Index worst = 0;
+    while (quick.maxCoeff(&worst) > most)
+    {
+        const double error = exact_error(factor_error, worst, points);
+        if (error > most)
+            return std::nullopt;
+        largest = std::max(largest, error);
+        quick[worst] = 0.0;
+    }
+    return std::max(largest, quick[worst]);
 }
 
 CompressedRows compress(const RowMatrix &samples, double accuracy)

@@ -5,6 +5,7 @@
 
 #include "least_squares.h"
 
+#include <optional>
 #include <vector>
 
 namespace laminate_offset
@@ -22,6 +23,13 @@ struct CompressedRows
     //! Longest point error, for each sample, of an error in the factor. Where a quick upper bound is
     //! already below `enough`, that bound is returned instead.
     [[nodiscard]] std::vector<double> point_errors(const RowMatrix &factor_error, double enough) const;
+
+    //! A bound of the largest point error up to `most`; nothing if some point error is larger.
+    [[nodiscard]] std::optional<double> largest_error(const RowMatrix &factor_error, double most) const;
+
+private:
+    [[nodiscard]] Eigen::VectorXd quick_bounds(const RowMatrix &factor_error) const;
+    [[nodiscard]] double exact_error(const RowMatrix &factor_error, Eigen::Index row, Eigen::RowVectorXd &points) const;
 };
 
 //! Pivoted Gram-Schmidt, stopped as soon as what remains of every point is below `accuracy`.

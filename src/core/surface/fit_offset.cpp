@@ -7,10 +7,12 @@
 #include "../spline/least_squares.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace laminate_offset
 {
@@ -23,7 +25,9 @@ constexpr double first_direction_share = 0.47;
 constexpr int most_rounds = 8;
 constexpr int least_rows = 12;
 constexpr int spare_samples = 2;
-constexpr int checks_per_span = 9;
+// Places of a span at which the deviation is measured: where the certificate follows, for information only.
+constexpr int checks_before_proof = 4;
+constexpr int checks_without_proof = 9;
 
 std::vector<double> row_parameters(const std::vector<double> &ends)
 {
@@ -51,10 +55,14 @@ public:
         m_origin = base.jets({0.5 * (box.umin + box.umax)}, {0.5 * (box.vmin + box.vmax)}, 0).front().s;
     }
 
-    //! One row for each u, the points of all v in it; transposed: one row for each v.
+    //! One row for each u, the points of all v in it; transposed: one row for each v. Where there is no normal the
+    //! points are left at zero, and the place is kept. Safe to share between threads.
     RowMatrix rows(const std::vector<double> &us, const std::vector<double> &vs, bool transposed)
     {
-        const std::vector<Eigen::Vector3d> points = m_base.offset_grid(us, vs, m_distance, m_singular);
+        std::optional<gp_Pnt2d> singular;
+        const std::vector<Eigen::Vector3d> points = m_base.offset_grid(us, vs, m_distance, singular);
+        if (singular)
+            keep(*singular);
         const auto nu = static_cast<Eigen::Index>(us.size());
         const auto nv = static_cast<Eigen::Index>(vs.size());
         RowMatrix result = transposed ? RowMatrix::Zero(nv, 3 * nu) : RowMatrix::Zero(nu, 3 * nv);
@@ -71,9 +79,16 @@ public:
     [[nodiscard]] const Eigen::Vector3d &origin() const { return m_origin; }
 
 private:
+    void keep(const gp_Pnt2d &singular)
+    {
+        const std::lock_guard lock(m_guard);
+        m_singular = singular;
+    }
+
     const BaseSurface &m_base;
     double m_distance;
     Eigen::Vector3d m_origin;
+    std::mutex m_guard;
     std::optional<gp_Pnt2d> m_singular;
 };
 
@@ -108,8 +123,9 @@ std::optional<TensorSpline> tensor_fit(const BaseSurface &base, OffsetSampler &s
 //! Largest deviation from the exact offset between the samples of the fit; a model's error comes on top of it.
 double deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
 {
-    const auto us = span_parameters(spline.u, base.interval_ends_u(), checks_per_span, 1);
-    const auto vs = span_parameters(spline.v, base.interval_ends_v(), checks_per_span, 1);
+    const int checks = base.spline() ? checks_before_proof : checks_without_proof;
+    const auto us = span_parameters(spline.u, base.interval_ends_u(), checks, 1);
+    const auto vs = span_parameters(spline.v, base.interval_ends_v(), checks, 1);
     std::optional<gp_Pnt2d> singular;
     const std::vector<Eigen::Vector3d> exact = base.offset_grid(us, vs, distance, singular);
     if (singular)
@@ -138,28 +154,27 @@ struct DirectionChoices
     std::optional<KnotChoice> v;
 };
 
+//! Both directions at once: they share nothing but the base.
 DirectionChoices choose_directions(const BaseSurface &base, OffsetSampler &sampler, double tolerance,
                                    const OffsetOptions &options)
 {
     const ParameterBox &box = base.box();
     const std::vector<double> rows_u = row_parameters(base.interval_ends_u());
     const std::vector<double> rows_v = row_parameters(base.interval_ends_v());
-    KnotProblem problem;
-    problem.tolerance = tolerance;
-    problem.max_degree = options.max_degree;
-    problem.low = box.umin;
-    problem.high = box.umax;
-    problem.breaks = data_breaks(base.breaks_u());
-    problem.sample = [&](const std::vector<double> &us) { return sampler.rows(us, rows_v, false); };
+    KnotProblem along_u;
+    along_u.tolerance = tolerance;
+    along_u.max_degree = options.max_degree;
+    KnotProblem along_v = along_u;
+    along_u.low = box.umin;
+    along_u.high = box.umax;
+    along_u.breaks = data_breaks(base.breaks_u());
+    along_u.sample = [&](const std::vector<double> &us) { return sampler.rows(us, rows_v, false); };
+    along_v.low = box.vmin;
+    along_v.high = box.vmax;
+    along_v.breaks = data_breaks(base.breaks_v());
+    along_v.sample = [&](const std::vector<double> &vs) { return sampler.rows(rows_u, vs, true); };
     DirectionChoices choices;
-    choices.u = choose_knots(problem);
-    if (!choices.u)
-        return choices;
-    problem.low = box.vmin;
-    problem.high = box.vmax;
-    problem.breaks = data_breaks(base.breaks_v());
-    problem.sample = [&](const std::vector<double> &vs) { return sampler.rows(rows_u, vs, true); };
-    choices.v = choose_knots(problem);
+    tbb::parallel_invoke([&] { choices.u = choose_knots(along_u); }, [&] { choices.v = choose_knots(along_v); });
     return choices;
 }
 
