@@ -257,20 +257,16 @@ TEST(ExactOffset, AConeUpToItsApexGoesOutwardsOnly)
 {
     const double angle = 0.5, radius = 6.0, apex = -radius / std::sin(angle);
     const Handle(Geom_Surface) cone = new Geom_ConicalSurface(gp_Ax3(), angle, radius);
-    const TopoDS_Face tip = face_on(cone, {0.0, 2.0 * M_PI, apex, 5.0});
-    expect_folded(tip, -0.5, 0.0);
-    OffsetOptions options;
-    options.distance = 0.5;
-    const Result<OffsetResult> outwards = offset_face(tip, options);
-    if (outwards.ok())
+    for (const double turn : {2.0 * M_PI, M_PI, 0.7})
     {
+        const TopoDS_Face tip = face_on(cone, {0.0, turn, apex, 5.0});
+        expect_folded(tip, -0.5, 0.0);
+        OffsetOptions options;
+        options.distance = 0.5;
+        const Result<OffsetResult> outwards = offset_face(tip, options);
+        ASSERT_TRUE(outwards.ok()) << outwards.failure().message;
         EXPECT_TRUE(confirms(measure_offset(tip, outwards.value().face, 0.5, {30, 30}), 1e-6));
-        return;
     }
-    // the offset of the apex is a circle; where the result cannot have an edge for it, the apex is named
-    EXPECT_EQ(outwards.failure().status, Status::SingularNormal) << outwards.failure().message;
-    ASSERT_TRUE(outwards.failure().where.has_value());
-    EXPECT_NEAR(outwards.failure().where->uv.Y(), apex, 1e-9);
 }
 
 TEST(ExactOffset, AFaceAcrossTheApexIsRefused)

@@ -283,30 +283,6 @@ TEST(FittedOffset, PastTheRadiusOfCurvatureIsRefusedWithPlaceAndRange)
     EXPECT_EQ(refused, 24);
 }
 
-TEST(FittedOffset, APointWithManyNormalsIsRefusedAndNamed)
-{
-    // a curved cone as a spline: its side u = 0 is the apex, where every ruling has a normal of its own
-    const Handle(Geom_BSplineSurface) cone = height_surface([](double x, double) { return x; }, 10.0, 10.0, 4, 4);
-    const gp_Pnt apex(-30.0, 0.0, 40.0);
-    for (int j = 1; j <= 4; ++j)
-    {
-        const double y = -20.0 + 40.0 * (j - 1) / 3.0;
-        const gp_Pnt foot(30.0, y, 0.05 * y * y);
-        for (int i = 1; i <= 4; ++i)
-            cone->SetPole(i, j, gp_Pnt(apex.XYZ() + (foot.XYZ() - apex.XYZ()) * ((i - 1) / 3.0)));
-    }
-    for (const double distance : {0.01, -0.01, 2.0, -2.0})
-    {
-        const auto result = offset(whole(cone), distance, 1e-3);
-        ASSERT_FALSE(result.ok()) << distance;
-        const Failure &failure = result.failure();
-        EXPECT_TRUE(failure.status == Status::SingularNormal || failure.status == Status::CurvatureLimit)
-            << name(failure.status) << ": " << failure.message;
-        ASSERT_TRUE(failure.where.has_value()) << failure.message;
-        EXPECT_LT(failure.where->point.Distance(apex), 1.0) << "the apex is to blame";
-    }
-}
-
 TEST(FittedOffset, CanBeCancelled)
 {
     OffsetOptions options;

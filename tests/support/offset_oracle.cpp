@@ -60,6 +60,21 @@ public:
         return gp_Vec(local.Normal()) * m_sign;
     }
 
+    //! From the tangents alone. OpenCASCADE's own properties state one of the many normals of a pole as if it were
+    //! the only one; here there is none unless both tangents are there.
+    std::optional<gp_Vec> plain_normal(const gp_Pnt2d &uv) const
+    {
+        gp_Pnt p;
+        gp_Vec du, dv;
+        m_surface->D1(uv.X(), uv.Y(), p, du, dv);
+        const double smaller = std::min(du.Magnitude(), dv.Magnitude());
+        const double larger = std::max(du.Magnitude(), dv.Magnitude());
+        const gp_Vec cross = du.Crossed(dv);
+        if (smaller <= 1e-11 * larger || cross.Magnitude() <= 1e-9 * smaller * larger)
+            return std::nullopt;
+        return cross.Normalized() * m_sign;
+    }
+
     std::optional<gp_Pnt> offset_point(const gp_Pnt2d &uv, double distance) const
     {
         const auto direction = normal(uv);
@@ -204,7 +219,7 @@ public:
         for (const double step : {0.0, 1e-7, 1e-6, 1e-5, 1e-4})
         {
             const gp_XY beside = uv.XY() + (m_middle.XY() - uv.XY()) * step;
-            if (const auto normal = m_surface.normal(beside))
+            if (const auto normal = m_surface.plain_normal(beside))
                 return m_surface.point(uv).Translated(*normal * m_distance);
         }
         throw std::runtime_error("the base has no normal near an edge");

@@ -47,12 +47,16 @@ public:
     }
 
 private:
-    struct Corner
+    //! One end of an offset edge.
+    struct EdgeEnd
     {
-        gp_XYZ sum{0.0, 0.0, 0.0};
-        std::vector<gp_Pnt> ends;
-        double tolerance = Precision::Confusion();
+        std::size_t edge = 0;
+        bool last = false; //!< at the edge's last parameter
+        gp_Pnt point;
+        double tolerance = 0.0;
+        bool opened = false; //!< of an edge that is a point on the base
     };
+    using EdgeEnds = std::vector<EdgeEnd>;
 
     [[nodiscard]] TopoDS_Edge base_edge(std::size_t k) const
     {
@@ -67,34 +71,87 @@ private:
         return m_surface.geometry->Value(uv.X(), uv.Y());
     }
 
-    //! A vertex stands in the middle of the edge ends that meet there, with a tolerance that holds them all.
-    void make_vertices()
+    //! The ends of all edges, those at one vertex of the base together.
+    std::vector<EdgeEnds> ends_at_base_vertices()
     {
-        std::vector<Corner> corners;
-        const auto note = [&](const TopoDS_Vertex &base, const gp_Pnt &end, double tolerance) {
+        std::vector<EdgeEnds> all;
+        const auto note = [&](const TopoDS_Vertex &base, const EdgeEnd &end) {
             if (base.IsNull())
                 return;
             const auto index = static_cast<std::size_t>(m_base_vertices.Add(base.Oriented(TopAbs_FORWARD))) - 1;
-            corners.resize(std::max(corners.size(), index + 1));
-            corners[index].sum += end.XYZ();
-            corners[index].ends.push_back(end);
-            corners[index].tolerance = std::max(corners[index].tolerance, tolerance);
+            all.resize(std::max(all.size(), index + 1));
+            all[index].push_back(end);
         };
         for (std::size_t k = 0; k < m_loops.edges.size(); ++k)
         {
             const OffsetEdge &edge = m_loops.edges[k];
-            note(TopExp::FirstVertex(base_edge(k)), end_of(edge, edge.first), edge_tolerance(edge));
-            note(TopExp::LastVertex(base_edge(k)), end_of(edge, edge.last), edge_tolerance(edge));
+            const bool opened = !edge.curve.IsNull() && BRep_Tool::Degenerated(base_edge(k));
+            const double tolerance = edge_tolerance(edge);
+            note(TopExp::FirstVertex(base_edge(k)), {k, false, end_of(edge, edge.first), tolerance, opened});
+            note(TopExp::LastVertex(base_edge(k)), {k, true, end_of(edge, edge.last), tolerance, opened});
         }
-        for (const Corner &corner : corners)
+        return all;
+    }
+
+    //! The ends at one vertex of the base, parted where an edge opens up between them: its own two ends are
+    //! apart unless it closes, and every other end joins the one that it meets.
+    static std::vector<EdgeEnds> meeting_ends(const EdgeEnds &ends)
+    {
+        std::vector<EdgeEnds> groups;
+        const auto nearest = [&](const EdgeEnd &end) {
+            return std::min_element(groups.begin(), groups.end(), [&](const EdgeEnds &a, const EdgeEnds &b) {
+                return a.front().point.SquareDistance(end.point) < b.front().point.SquareDistance(end.point);
+            });
+        };
+        for (const EdgeEnd &end : ends)
         {
-            const gp_Pnt middle(corner.sum / static_cast<double>(corner.ends.size()));
-            double tolerance = corner.tolerance;
-            for (const gp_Pnt &end : corner.ends)
-                tolerance = std::max(tolerance, proven_margin * middle.Distance(end) + Precision::Confusion());
-            TopoDS_Vertex vertex;
-            m_builder.MakeVertex(vertex, middle, tolerance);
-            m_vertices.push_back(vertex);
+            if (!end.opened)
+                continue;
+            const auto group = nearest(end);
+            const bool same = group != groups.end() &&
+                              group->front().point.Distance(end.point) <= group->front().tolerance + end.tolerance;
+            if (same)
+                group->push_back(end);
+            else
+                groups.push_back({end});
+        }
+        if (groups.empty())
+            return {ends};
+        for (const EdgeEnd &end : ends)
+            if (!end.opened)
+                nearest(end)->push_back(end);
+        return groups;
+    }
+
+    //! In the middle of the edge ends that meet there, with a tolerance that holds them all.
+    TopoDS_Vertex make_vertex(const EdgeEnds &ends)
+    {
+        gp_XYZ sum(0.0, 0.0, 0.0);
+        for (const EdgeEnd &end : ends)
+            sum += end.point.XYZ();
+        const gp_Pnt middle(sum / static_cast<double>(ends.size()));
+        double tolerance = Precision::Confusion();
+        for (const EdgeEnd &end : ends)
+            tolerance = std::max(
+                {tolerance, end.tolerance, proven_margin * middle.Distance(end.point) + Precision::Confusion()});
+        TopoDS_Vertex vertex;
+        m_builder.MakeVertex(vertex, middle, tolerance);
+        return vertex;
+    }
+
+    void make_vertices()
+    {
+        m_vertices.resize(m_loops.edges.size());
+        for (const EdgeEnds &at_base_vertex : ends_at_base_vertices())
+        {
+            for (const EdgeEnds &meeting : meeting_ends(at_base_vertex))
+            {
+                const TopoDS_Vertex vertex = make_vertex(meeting);
+                for (const EdgeEnd &end : meeting)
+                    (end.last ? m_vertices[end.edge].last : m_vertices[end.edge].first) = vertex;
+            }
+            const EdgeEnd &any = at_base_vertex.front();
+            m_any_vertices.push_back(any.last ? m_vertices[any.edge].last : m_vertices[any.edge].first);
         }
     }
 
@@ -126,17 +183,23 @@ private:
         m_builder.Range(edge, source.first, source.last);
         m_builder.SameRange(edge, true);
         m_builder.SameParameter(edge, true);
-        add_vertices(edge, base_edge(k));
+        add_vertices(edge, k);
         return edge;
     }
 
-    void add_vertices(TopoDS_Edge &edge, const TopoDS_Edge &base)
+    void add_vertices(TopoDS_Edge &edge, std::size_t k)
     {
-        for (TopoDS_Iterator it(base, false, true); it.More(); it.Next())
+        for (TopoDS_Iterator it(base_edge(k), false, true); it.More(); it.Next())
         {
             const int index = m_base_vertices.FindIndex(it.Value());
-            if (index > 0)
-                m_builder.Add(edge, m_vertices[static_cast<std::size_t>(index) - 1].Oriented(it.Value().Orientation()));
+            if (index == 0)
+                continue;
+            const TopAbs_Orientation orientation = it.Value().Orientation();
+            const TopoDS_Vertex &vertex = orientation == TopAbs_FORWARD ? m_vertices[k].first
+                                          : orientation == TopAbs_REVERSED
+                                              ? m_vertices[k].last
+                                              : m_any_vertices[static_cast<std::size_t>(index) - 1];
+            m_builder.Add(edge, vertex.Oriented(orientation));
         }
     }
 
@@ -158,8 +221,15 @@ private:
     const OffsetSurface &m_surface;
     const TrimLoops &m_loops;
     BRep_Builder m_builder;
+    struct EndVertices
+    {
+        TopoDS_Vertex first;
+        TopoDS_Vertex last;
+    };
+
     TopTools_IndexedMapOfShape m_base_vertices;
-    std::vector<TopoDS_Vertex> m_vertices;
+    std::vector<TopoDS_Vertex> m_any_vertices; //!< one of those made for each vertex of the base
+    std::vector<EndVertices> m_vertices;       //!< of each edge
     std::vector<TopoDS_Edge> m_edges;
 };
 

@@ -14,6 +14,7 @@ namespace laminate_offset
 {
 
 //! Builds the face with the base's loops, edge order, orientations and location, then checks it.
+//! A vertex of the base becomes several where an edge that is a point on the base opens up between them.
 //! Vertex and edge tolerances are those that the geometry shows, never less than OpenCASCADE's
 //! resolution.
 //! Refusal: InvalidResult.

@@ -88,10 +88,6 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
         edge.deviation = target.deviation(on_surface.value(base.first), admissible);
         if (edge.deviation.bound <= admissible)
             return edge;
-        if (on_surface.value(base.first).Distance(on_surface.value(base.last)) > Precision::Confusion())
-            return refusal(context, Status::SingularNormal, base,
-                           "The surface comes to a point at the reported place with different normals from different "
-                           "sides, so the offset opens up there; trim the face clear of it.");
     }
     const std::optional<EdgeCurve> made = curve_of(context, base, target);
     if (!made)

@@ -56,8 +56,8 @@ struct EdgeContext
     double tolerance = 0.0; //!< largest deviation of an edge curve from the offset surface [mm]
 };
 
-//! Makes the curves of all edges.
-//! Refusals: EdgeToleranceNotReached, SingularNormal (an edge that is a point on the base opens up).
+//! Makes the curves of all edges. An edge that is a point on the base gets one where the offset opens up there.
+//! Refusal: EdgeToleranceNotReached.
 Result<TrimLoops> offset_loops(const EdgeContext &context);
 
 } // namespace laminate_offset
