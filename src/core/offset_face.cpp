@@ -66,13 +66,13 @@ private:
         const Result<InputFace> input = read_face(shape);
         if (!input)
             return input.failure();
-        const double distance = input.value().normal_sign * m_options.distance;
+        const double distance = input.value().from_surface(m_options.distance);
         enter(Stage::Analysis);
         const Result<SurfaceAnalysis> analysis = analyse(input.value(), distance, m_options.tolerance);
         if (!analysis)
             return analysis.failure();
         enter(Stage::Surface);
-        const Result<OffsetSurface> surface = offset_surface(input.value(), analysis.value(), distance);
+        const Result<OffsetSurface> surface = checked_surface(input.value(), analysis.value(), distance);
         if (!surface)
             return surface.failure();
         enter(Stage::Trimming);
@@ -90,23 +90,16 @@ private:
         return OffsetResult{face.value(), report(input.value(), analysis.value(), surface.value(), loops.value())};
     }
 
-    Result<OffsetSurface> offset_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
+    Result<OffsetSurface> checked_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
     {
-        if (std::optional<Result<OffsetSurface>> exact = exact_offset(input, distance))
-        {
-            if (!exact->ok())
-                return with_both_limits(exact->failure(), input, analysis);
-            return *std::move(exact);
-        }
         if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
             return feasible.failure();
-        Result<OffsetSurface> fitted =
-            fit_offset(analysis, input, distance, surface_share * m_options.tolerance, m_options);
-        if (!fitted)
-            return fitted;
-        if (const Result<bool> clear = check_meetings(input, analysis, fitted.value(), distance); !clear)
+        Result<OffsetSurface> made = offset_surface(analysis, input, distance, m_options);
+        if (!made)
+            return made;
+        if (const Result<bool> clear = check_meetings(input, analysis, made.value(), distance); !clear)
             return clear.failure();
-        return fitted;
+        return made;
     }
 
     Result<bool> check_meetings(const InputFace &input, const SurfaceAnalysis &analysis, const OffsetSurface &surface,
@@ -138,17 +131,6 @@ private:
             input.place(uv), std::nullopt};
     }
 
-    //! An exact kind names the limit that was passed; what is known of the other side comes from the analysis.
-    static Failure with_both_limits(Failure failure, const InputFace &input, const SurfaceAnalysis &analysis)
-    {
-        const FeasibleRange known = feasible_range(analysis, input);
-        if (failure.feasible_range && !failure.feasible_range->negative)
-            failure.feasible_range->negative = known.negative;
-        if (failure.feasible_range && !failure.feasible_range->positive)
-            failure.feasible_range->positive = known.positive;
-        return failure;
-    }
-
     static SurfaceSummary summary(const Handle(Geom_Surface) & surface)
     {
         SurfaceSummary result;
@@ -159,6 +141,8 @@ private:
         case GeomAbs_Cone: result.type = "cone"; break;
         case GeomAbs_Sphere: result.type = "sphere"; break;
         case GeomAbs_Torus: result.type = "torus"; break;
+        case GeomAbs_SurfaceOfRevolution: result.type = "revolution"; break;
+        case GeomAbs_SurfaceOfExtrusion: result.type = "extrusion"; break;
         default: result.type = "bspline"; break;
         }
         if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))

@@ -5,12 +5,9 @@
 #include "base/options.h"
 #include "input/input_face.h"
 #include "report/offset_report.h"
-#include "surface/offset_surface.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <utility>
 
 namespace laminate_offset
 {
@@ -24,48 +21,27 @@ using Json = nlohmann::ordered_json;
 constexpr double limit_gap = 1e-3;
 // A crease is judged at this part of the face's diagonal.
 constexpr double crease_distance = 1e-2;
-// Past every radius [mm], and far from overflow.
-constexpr double past_every_limit = 1e60;
 
-//! The limit of a plane, cylinder, cone, sphere or torus: where a distance past every limit is refused.
-std::optional<OffsetLimit> exact_limit(const InputFace &input, bool outward)
+std::optional<OffsetLimit> with_place(const InputFace &input, const std::optional<double> &distance,
+                                      const std::optional<CurvatureLimit> &limit)
 {
-    const double along_outward = outward ? past_every_limit : -past_every_limit;
-    const auto attempt = exact_offset(input, input.normal_sign * along_outward);
-    if (!attempt || attempt->ok() || !attempt->failure().feasible_range || !attempt->failure().where)
+    if (!distance || !limit)
         return std::nullopt;
-    const FeasibleRange &range = *attempt->failure().feasible_range;
-    const std::optional<double> &distance = outward ? range.positive : range.negative;
-    if (!distance)
-        return std::nullopt;
-    return OffsetLimit{*distance + 0.0, *attempt->failure().where};
-}
-
-std::optional<OffsetLimit> curved_limit(const InputFace &input, const std::optional<CurvatureLimit> &limit)
-{
-    if (!limit)
-        return std::nullopt;
-    return OffsetLimit{input.normal_sign * limit->distance, input.place(limit->uv)};
+    return OffsetLimit{*distance, input.place(limit->uv)};
 }
 
 Result<OffsetLimits> limits_of(const InputFace &input)
 {
-    OffsetLimits limits;
-    if (exact_offset(input, 0.0))
-    {
-        limits.negative = exact_limit(input, false);
-        limits.positive = exact_limit(input, true);
-        return limits;
-    }
     const double tear_distance = crease_distance * input.diagonal;
     Result<SurfaceAnalysis> analysis = read_base(input, tear_distance, OffsetOptions{}.tolerance);
     if (!analysis)
         return analysis.failure();
     find_limits(analysis.value(), input, 0.0, limit_gap);
-    limits.negative = curved_limit(input, analysis.value().negative);
-    limits.positive = curved_limit(input, analysis.value().positive);
-    if (input.normal_sign < 0.0)
-        std::swap(limits.negative, limits.positive);
+    const FeasibleRange range = feasible_range(analysis.value(), input);
+    const bool turned = input.normal_sign < 0.0;
+    OffsetLimits limits;
+    limits.negative = with_place(input, range.negative, turned ? analysis.value().positive : analysis.value().negative);
+    limits.positive = with_place(input, range.positive, turned ? analysis.value().negative : analysis.value().positive);
     limits.proven = !analysis.value().sampled;
     return limits;
 }

@@ -96,7 +96,7 @@ void expect_folded(const TopoDS_Face &face, double distance, double limit)
     ASSERT_FALSE(result.ok()) << "a folded offset was handed out";
     const Failure &failure = result.failure();
     EXPECT_EQ(failure.status, Status::CurvatureLimit) << failure.message;
-    EXPECT_EQ(failure.stage, Stage::Surface);
+    EXPECT_EQ(failure.stage, Stage::Analysis);
     ASSERT_TRUE(failure.where.has_value());
     const gp_Pnt there = BRep_Tool::Surface(face)->Value(failure.where->uv.X(), failure.where->uv.Y());
     EXPECT_LT(there.Distance(failure.where->point), 1e-9);
@@ -281,7 +281,7 @@ TEST(ExactOffset, AFaceAcrossTheApexIsRefused)
         const Result<OffsetResult> result = offset_face(both, options);
         ASSERT_FALSE(result.ok());
         EXPECT_EQ(result.failure().status, Status::CurvatureLimit) << result.failure().message;
-        EXPECT_EQ(result.failure().stage, Stage::Surface);
+        EXPECT_EQ(result.failure().stage, Stage::Analysis);
     }
 }
 

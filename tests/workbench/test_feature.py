@@ -114,7 +114,7 @@ def test_refused_distance_empties_the_shape_and_says_why(doc, ball):
     assert offset.getStatusString() == offset.Message
     assert "-10 mm" in offset.Limits
     (report,) = json.loads(offset.ReportJson)
-    assert report["status"] == "curvature-limit" and report["stage"] == "surface"
+    assert report["status"] == "curvature-limit" and report["stage"] == "analysis"
     assert report["limits"]["negative"] == pytest.approx(-10)
     for name in ("CertifiedError", "SampledError", "EdgeError", "SampledEdgeError"):
         assert math.isnan(getattr(offset, name).Value), f"{name} of the last success is left over"

@@ -7,6 +7,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_TrimmedCurve.hxx>
@@ -61,7 +62,8 @@ bool keeps_parameters(const Handle(Geom_Curve) & profile)
     Handle(Geom_Curve) curve = profile;
     while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
         curve = trimmed->BasisCurve();
-    return curve->IsKind(STANDARD_TYPE(Geom_BSplineCurve)) || curve->IsKind(STANDARD_TYPE(Geom_BezierCurve));
+    return curve->IsKind(STANDARD_TYPE(Geom_BSplineCurve)) || curve->IsKind(STANDARD_TYPE(Geom_BezierCurve)) ||
+           curve->IsKind(STANDARD_TYPE(Geom_Line));
 }
 
 //! The surface as a B-spline in its own parameters, or null where the conversion would change them.

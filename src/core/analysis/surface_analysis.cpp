@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "surface_analysis.h"
 
+#include "closed_limits.h"
 #include "curvature.h"
 #include "light_model.h"
 
@@ -95,18 +96,51 @@ void allow_for_model(const ModelError &error, CurvatureExtremes &extremes)
     extremes.highest.attained = std::max(0.0, extremes.highest.attained - error.curvature);
 }
 
+//! Does the offset fold? The limits must have been searched for this distance.
+bool folds(const SurfaceAnalysis &analysis, double distance)
+{
+    const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
+    return distance != 0.0 && limit && std::abs(distance) >= std::abs(limit->folds);
+}
+
+//! A face on an offset surface that is folded itself has no normal to go along.
+Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &input)
+{
+    if (input.base_distance == 0.0)
+        return true;
+    find_limits(analysis, input, input.base_distance, limit_gap);
+    if (!folds(analysis, input.base_distance))
+        return true;
+    const CurvatureLimit &limit = input.base_distance < 0.0 ? *analysis.negative : *analysis.positive;
+    return refusal_at(Status::CurvatureLimit,
+                      fmt::format("The face is itself an offset, {:.6g} mm from a surface whose radius of curvature is "
+                                  "{:.6g} mm at the reported place, and so it is folded; trim the tight region away "
+                                  "or offset the original surface.",
+                                  std::abs(input.base_distance), std::abs(limit.folds)),
+                      input, limit.uv);
+}
+
 } // namespace
 
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
     SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), LoopRegion(input), std::nullopt, std::nullopt};
-    if (const auto smooth = check_creases(analysis.base, input, analysis.region, distance, tolerance); !smooth)
+    const double farther = std::max(std::abs(distance), std::abs(input.base_distance));
+    if (const auto smooth = check_creases(analysis.base, input, analysis.region, farther, tolerance); !smooth)
         return smooth.failure();
+    if (const auto regular = check_base_distance(analysis, input); !regular)
+        return regular.failure();
     return analysis;
 }
 
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap)
 {
+    if (const std::optional<ClosedLimits> closed = closed_limits(input))
+    {
+        analysis.negative = closed->negative;
+        analysis.positive = closed->positive;
+        return;
+    }
     CurvatureExtremes extremes = curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
     allow_for_model(analysis.base.model_error(), extremes);
     const double flat = flat_curvature / input.diagonal;
@@ -137,31 +171,28 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
 FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &input)
 {
     FeasibleRange range;
+    const bool turned = input.normal_sign < 0.0;
+    // the face itself is feasible, though not proven to be when it stands within the search's gap of a limit
     if (analysis.negative)
-        range.negative = analysis.negative->distance;
+        (turned ? range.positive : range.negative) =
+            input.from_face(std::min(analysis.negative->distance, input.base_distance));
     if (analysis.positive)
-        range.positive = analysis.positive->distance;
-    if (input.normal_sign < 0.0)
-    {
-        std::swap(range.negative, range.positive);
-        for (std::optional<double> *side : {&range.negative, &range.positive})
-            if (*side)
-                *side = -**side;
-    }
+        (turned ? range.negative : range.positive) =
+            input.from_face(std::max(analysis.positive->distance, input.base_distance));
     return range;
 }
 
 Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance)
 {
-    const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
-    if (!limit || std::abs(distance) < std::abs(limit->folds))
+    if (!folds(analysis, distance))
         return true;
+    const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
     Failure failure = refusal_at(Status::CurvatureLimit, "", input, limit->uv);
     failure.feasible_range = feasible_range(analysis, input);
     failure.message =
         fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
                     "the offset would fold; stay below that distance or trim the tight region away.",
-                    input.normal_sign * distance, std::abs(limit->folds));
+                    input.from_face(distance), std::abs(input.from_face(limit->folds)));
     return failure;
 }
 

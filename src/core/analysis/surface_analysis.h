@@ -23,8 +23,8 @@ struct CurvatureLimit
     gp_Pnt2d uv;
 };
 
-//! What the base surface permits inside the loops. Distances here are along S_u x S_v, the face's
-//! orientation not yet included.
+//! What the base surface permits inside the loops. Distances here are from InputFace::surface along
+//! S_u x S_v, the face's orientation and its own distance not yet included.
 struct SurfaceAnalysis
 {
     BaseSurface base;
@@ -37,22 +37,22 @@ struct SurfaceAnalysis
 //! The base and its loops without the limits.
 //! \param distance signed along S_u x S_v [mm]; decides whether a crease matters.
 //! \param tolerance a crease that tears the offset by less than half of it is no crease [mm].
-//! Refusal: KinkedSurface.
+//! Refusals: KinkedSurface; CurvatureLimit for a face on an offset surface that is folded itself.
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance);
 
-//! Searches both limits.
+//! Searches both limits; planes, cylinders, cones, spheres and tori have them in closed form.
 //! \param distance the one that has to be decided [mm]; 0: the limits themselves are wanted.
 //! \param gap relative width between what is proven and what is attained at which a search ends.
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap);
 
 //! Both in one, for one distance.
-//! Refusal: KinkedSurface.
+//! Refusals: those of read_base.
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance);
 
 //! Refuses a distance past the curvature limits, with the place and the feasible range.
 Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance);
 
-//! The limits as signed distances along the face's outward normal.
+//! The limits as signed distances from the face along its outward normal.
 FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &input);
 
 } // namespace laminate_offset

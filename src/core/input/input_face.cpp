@@ -10,6 +10,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -70,11 +71,32 @@ TopoDS_Face localised(const TopoDS_Face &face, InputFace &input)
     return local;
 }
 
-Handle(Geom_Surface) unwrapped(Handle(Geom_Surface) surface)
+//! An offset of an offset stands off the same basis, by the sum of both distances.
+void unwrap(InputFace &input)
 {
-    while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
-        surface = trimmed->BasisSurface();
-    return surface;
+    while (true)
+        if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(input.surface))
+            input.surface = trimmed->BasisSurface();
+        else if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(input.surface))
+        {
+            input.base_distance += offset->Offset();
+            input.surface = offset->BasisSurface();
+        }
+        else
+            return;
+}
+
+//! S_u x S_v scaled to length 1; nothing at a singular place.
+std::optional<gp_Vec> normal_at(const InputFace &input, const gp_Pnt2d &uv)
+{
+    gp_Pnt s;
+    gp_Vec du, dv;
+    input.surface->D1(uv.X(), uv.Y(), s, du, dv);
+    const gp_Vec normal = du.Crossed(dv);
+    constexpr double smallest_sine = 1e-9;
+    if (!(normal.Magnitude() > smallest_sine * du.Magnitude() * dv.Magnitude()))
+        return std::nullopt;
+    return normal / normal.Magnitude();
 }
 
 bool finite(const gp_Pnt2d &p) { return std::isfinite(p.X()) && std::isfinite(p.Y()); }
@@ -118,7 +140,7 @@ Result<TrimmingCurve> read_curve(const TopoDS_Edge &edge, const InputFace &input
     for (int i = 0; i <= probes; ++i)
     {
         const gp_Pnt2d uv = curve.pcurve->Value(curve.first + (curve.last - curve.first) * i / probes);
-        if (!finite(uv) || !finite(input.surface->Value(uv.X(), uv.Y())))
+        if (!finite(uv) || !finite(input.point(uv)))
             return refusal(Status::NotFinite, not_finite);
     }
     return curve;
@@ -140,7 +162,7 @@ bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const In
     const gp_Pnt2d a = end_point(before, true);
     const gp_Pnt2d b = end_point(after, false);
     const double tolerance = std::max(input.tolerance, Precision::Confusion());
-    return input.surface->Value(a.X(), a.Y()).Distance(input.surface->Value(b.X(), b.Y())) <= 2.0 * tolerance;
+    return input.point(a).Distance(input.point(b)) <= 2.0 * tolerance;
 }
 
 //! Every vertex of a closed wire ends as many curves as it starts, whatever the order of its edges.
@@ -228,16 +250,15 @@ double extent_of(const InputFace &input, const std::vector<PcurvePiece> &pieces)
     Bnd_Box space;
     for (const PcurvePiece &piece : pieces)
     {
-        space.Add(input.surface->Value(piece.start.X(), piece.start.Y()));
-        space.Add(
-            input.surface->Value(0.5 * (piece.start.X() + piece.end.X()), 0.5 * (piece.start.Y() + piece.end.Y())));
+        space.Add(input.point(piece.start));
+        space.Add(input.point(gp_Pnt2d(0.5 * (piece.start.XY() + piece.end.XY()))));
     }
     constexpr int grid = 4;
     const ParameterBox &box = input.box;
     for (int i = 1; i < grid; ++i)
         for (int j = 1; j < grid; ++j)
-            space.Add(input.surface->Value(box.umin + (box.umax - box.umin) * i / grid,
-                                           box.vmin + (box.vmax - box.vmin) * j / grid));
+            space.Add(input.point(
+                {box.umin + (box.umax - box.umin) * i / grid, box.vmin + (box.vmax - box.vmin) * j / grid}));
     return std::sqrt(space.SquareExtent());
 }
 
@@ -273,8 +294,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
     if (input.surface.IsNull())
         return refusal(Status::InvalidFace,
                        "The face has no surface (it may be a mesh); use a face with exact geometry.");
-    input.surface = unwrapped(input.surface);
-    if (!finite_poles(input.surface))
+    unwrap(input);
+    if (!finite_poles(input.surface) || !std::isfinite(input.base_distance))
         return refusal(Status::NotFinite, not_finite);
     input.tolerance = largest_tolerance(input.face);
     for (TopoDS_Iterator it(input.face); it.More(); it.Next())
@@ -308,10 +329,22 @@ int InputFace::edge_count() const
     return edges.Extent();
 }
 
-Where InputFace::place(const gp_Pnt2d &uv) const
+gp_Pnt InputFace::point(const gp_Pnt2d &uv) const
 {
-    return {uv, surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation())};
+    const gp_Pnt on_surface = surface->Value(uv.X(), uv.Y());
+    if (base_distance == 0.0)
+        return on_surface;
+    std::optional<gp_Vec> normal = normal_at(*this, uv);
+    if (!normal) // a pole: the normal is read beside it, on the side where the face is
+    {
+        constexpr double step = 1e-6;
+        const gp_XY middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
+        normal = normal_at(*this, gp_Pnt2d(uv.XY() + step * (middle - uv.XY())));
+    }
+    return normal ? on_surface.Translated(base_distance * *normal) : on_surface;
 }
+
+Where InputFace::place(const gp_Pnt2d &uv) const { return {uv, point(uv).Transformed(location.Transformation())}; }
 
 Result<InputFace> read_face(const TopoDS_Shape &shape)
 {

@@ -64,13 +64,23 @@ struct InputFace
     TopLoc_Location location;     //!< of the original
     bool reversed = false;        //!< orientation of the original
     double normal_sign = 1.0;     //!< +1 where the outward normal is S_u x S_v, -1 where it is opposite
-    Handle(Geom_Surface) surface; //!< unwrapped from Geom_RectangularTrimmedSurface
+    Handle(Geom_Surface) surface; //!< unwrapped from rectangular trims and from Geom_OffsetSurface, however nested
+    //! Where the face stands: at this distance from `surface` along S_u x S_v [mm]; not 0 for a Geom_OffsetSurface.
+    double base_distance = 0.0;
     std::vector<TrimmingLoop> loops;
     ParameterBox box;       //!< of all trimming curves
     double diagonal = 0.0;  //!< size of the face: of the box of points on it [mm]
     double tolerance = 0.0; //!< largest tolerance of the face's edges and vertices [mm]
 
     [[nodiscard]] int edge_count() const; //!< distinct edges, a seam counted once
+
+    //! A distance from the face along its outward normal as one from `surface` along S_u x S_v.
+    [[nodiscard]] double from_surface(double distance) const { return base_distance + normal_sign * distance; }
+    //! The other way round.
+    [[nodiscard]] double from_face(double distance) const { return normal_sign * (distance - base_distance) + 0.0; }
+
+    //! The point of the face, in local coordinates.
+    [[nodiscard]] gp_Pnt point(const gp_Pnt2d &uv) const;
 
     //! The place of base parameters, its point where the original face stands.
     [[nodiscard]] Where place(const gp_Pnt2d &uv) const;

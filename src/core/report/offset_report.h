@@ -19,7 +19,9 @@ namespace laminate_offset
 //! The result's underlying surface.
 struct SurfaceSummary
 {
-    std::string type; //!< "plane", "cylinder", "cone", "sphere", "torus" or "bspline"
+    //! "plane", "cylinder", "cone", "sphere", "torus" or "bspline"; the copy of a base at distance 0 may also be a
+    //! "revolution" or an "extrusion".
+    std::string type;
     int degree_u = 0; //!< 0 for analytic surfaces, as are the pole counts
     int degree_v = 0;
     int poles_u = 0;

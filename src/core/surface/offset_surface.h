@@ -30,11 +30,29 @@ struct OffsetSurface
 inline constexpr double surface_share = 0.9;
 inline constexpr double edge_share = 0.1;
 
-//! The offset of a plane, cylinder, cone, sphere or torus as the same kind of surface in the same
-//! parameters (a cone may shift them), or nothing for any other base.
-//! \param distance along S_u x S_v [mm].
-//! Refusal: CurvatureLimit, where the radius inside the loops would not stay positive.
-std::optional<Result<OffsetSurface>> exact_offset(const InputFace &input, double distance);
+//! Bound of the rounding [mm] of a few dozen operations on coordinates of the face's size.
+double rounding_of(const InputFace &input, double distance);
+
+//! The offset surface with the fewest poles of those that the base permits: analytic where the base is
+//! (exact_offset), the base itself at distance 0, else the fewest of hidden_offset, fit_offset and, for a distance
+//! below the tolerance, the base itself.
+//! \param distance from InputFace::surface along S_u x S_v [mm], inside the limits of the analysis.
+//! Refusals: those of fit_offset.
+Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
+                                     const OffsetOptions &options);
+
+//! The offset of a plane, cylinder, cone, sphere or torus, also where a surface of extrusion or revolution is one,
+//! as the same kind of surface in the same parameters up to a shift. Nothing for any other base.
+//! \param distance as above.
+std::optional<OffsetSurface> exact_offset(const InputFace &input, double distance);
+
+//! The offset of a spline base that is a plane, cylinder, cone, sphere or torus to within a small part of the
+//! tolerance, on the base's own knots and weights, less those that are redundant. How the shape was recognised
+//! does not matter: the certificate proves the result. A cone or torus has one only where the parameters run along
+//! its circles.
+//! \param tolerance the bound to prove [mm].
+//! \return nothing where the base is no such shape.
+std::optional<OffsetSurface> hidden_offset(const SurfaceAnalysis &analysis, double distance, double tolerance);
 
 //! A polynomial B-spline in the base's parameters within `tolerance` [mm] of the exact offset, with
 //! degree and knots chosen for few poles. The bound is proven over the trimmed region (certificate.h)

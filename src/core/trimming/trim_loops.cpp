@@ -61,7 +61,8 @@ Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &b
     if (curve.IsNull() || first != base.first || last != base.last)
         return {};
     const gp_Vec normal = gp_Vec(plane->Position().XDirection()).Crossed(gp_Vec(plane->Position().YDirection()));
-    return Handle(Geom_Curve)::DownCast(curve->Translated(context.distance * normal));
+    const double from_face = context.distance - context.input.base_distance;
+    return Handle(Geom_Curve)::DownCast(curve->Translated(from_face * normal));
 }
 
 //! The base edge's translate on a plane, where it is as near as it has to be, else a curve of the pcurve's own.

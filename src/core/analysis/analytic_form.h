@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Planes, cylinders, cones, spheres and tori, also where a surface of extrusion or revolution is one.
+#pragma once
+
+#include "../input/input_face.h"
+
+#include <gp_Vec2d.hxx>
+
+#include <optional>
+
+namespace laminate_offset
+{
+
+//! The base as one of the five kinds, in its own parameters up to a shift.
+struct AnalyticForm
+{
+    Handle(Geom_Surface) surface; //!< Geom_Plane, Geom_CylindricalSurface, and so on
+    gp_Vec2d shift{0.0, 0.0};     //!< base parameters (u, v) are (u, v) + shift of the form
+    ParameterBox box;             //!< of the loops, in the form's parameters
+    bool disguised = false;       //!< the base is an extrusion or a revolution, equal to the form up to rounding
+};
+
+//! The form of InputFace::surface. Extruded lines (at a right angle) and circles and revolved lines and circles count
+//! where their directions and centres agree with the form to some units in the last place.
+//! \return nothing for any other surface.
+std::optional<AnalyticForm> analytic_form(const InputFace &input);
+
+} // namespace laminate_offset

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "offset_surface.h"
+
+#include <Geom_BSplineSurface.hxx>
+
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// A single piece of degree 2 both ways: no fit of a curved surface has fewer, and a flat one is hardly worth it.
+constexpr int few_poles = 9;
+
+int pole_count(const Handle(Geom_Surface) & surface)
+{
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+    return spline.IsNull() ? 0 : spline->NbUPoles() * spline->NbVPoles();
+}
+
+//! The base surface's own geometry, as small as it is at hand. A periodic one is cut to where the loops are.
+Handle(Geom_Surface) own_geometry(const InputFace &input)
+{
+    const Handle(Geom_Surface) &surface = input.surface;
+    const auto copy = Handle(Geom_Surface)::DownCast(surface->Copy());
+    const BaseSurface base(surface, fit_box(input)); // that of the analysis may be a light model
+    if (!base.spline())
+        return copy;
+    const Handle(Geom_Surface) cut = to_geom(*base.spline());
+    const bool as_it_is = surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) && !surface->IsUPeriodic() &&
+                          !surface->IsVPeriodic() && pole_count(copy) <= pole_count(cut);
+    return as_it_is ? copy : cut;
+}
+
+//! The base itself is its own offset to within the distance.
+OffsetSurface base_itself(const InputFace &input, double distance)
+{
+    OffsetSurface result;
+    result.geometry = own_geometry(input);
+    result.certified_error = std::abs(distance) + rounding_of(input, distance);
+    return result;
+}
+
+//! What needs no fit, with the fewest poles; a hidden shape wins a tie, since it has no error.
+std::optional<OffsetSurface> without_fit(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
+                                         double tolerance)
+{
+    std::optional<OffsetSurface> best = hidden_offset(analysis, distance, tolerance);
+    if (!analysis.base.spline() || std::abs(distance) > tolerance)
+        return best;
+    OffsetSurface same = base_itself(input, distance);
+    const bool near = *same.certified_error <= tolerance;
+    if (near && (!best || pole_count(same.geometry) < pole_count(best->geometry)))
+        return same;
+    return best;
+}
+
+} // namespace
+
+Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
+                                     const OffsetOptions &options)
+{
+    if (std::optional<OffsetSurface> exact = exact_offset(input, distance))
+        return *std::move(exact);
+    if (distance == 0.0)
+        return base_itself(input, distance);
+    const double tolerance = surface_share * options.tolerance;
+    std::optional<OffsetSurface> ready = without_fit(analysis, input, distance, tolerance);
+    if (ready && pole_count(ready->geometry) <= few_poles)
+        return *std::move(ready);
+    Result<OffsetSurface> fitted = fit_offset(analysis, input, distance, tolerance, options);
+    if (!ready)
+        return fitted;
+    if (!fitted.ok())
+        return fitted.failure().status == Status::Cancelled ? fitted : *std::move(ready);
+    return pole_count(fitted.value().geometry) < pole_count(ready->geometry) ? fitted : *std::move(ready);
+}
+
+} // namespace laminate_offset

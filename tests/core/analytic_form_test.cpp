@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Extrusions and revolutions of lines and circles that are planes, cylinders, cones, spheres or tori.
+#include "support/deviation.h"
+#include "support/offsets.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/analysis/analytic_form.h>
+#include <laminate_offset/offset_limits.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+struct Disguised
+{
+    std::string type;
+    Handle(Geom_Surface) surface;
+    Rectangle part;
+};
+
+Handle(Geom_Surface) turned(const Handle(Geom_Curve) & profile)
+{
+    return new Geom_SurfaceOfRevolution(profile, gp::OZ());
+}
+
+Handle(Geom_Curve) circle(const gp_Pnt &centre, const gp_Dir &normal, const gp_Dir &x, double radius)
+{
+    return new Geom_Circle(gp_Ax2(centre, normal, x), radius);
+}
+
+std::vector<Disguised> disguised()
+{
+    const Handle(Geom_Curve) line = new Geom_Line(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 0));
+    const Handle(Geom_Curve) ring = circle({3, 4, 5}, gp::DZ(), gp_Dir(1, 2, 0), 9.0);
+    std::vector<Disguised> all{
+        {"plane", new Geom_SurfaceOfLinearExtrusion(line, gp_Dir(-1, 1, 1)), {-4, 6, -3, 5}},
+        {"cylinder", new Geom_SurfaceOfLinearExtrusion(ring, gp::DZ()), {0.3, 2.0, -4, 5}},
+        {"cylinder", new Geom_SurfaceOfLinearExtrusion(ring, -gp::DZ()), {0.3, 2.0, -4, 5}},
+        {"cylinder",
+         new Geom_SurfaceOfLinearExtrusion(new Geom_TrimmedCurve(ring, 0.2, 2.5), gp::DZ()),
+         {0.3, 2, -4, 5}},
+    };
+    for (const double up : {-1.0, 1.0})
+    {
+        all.push_back({"cylinder", turned(new Geom_Line(gp_Pnt(9, 0, 2), gp_Dir(0, 0, up))), {0.3, 2.0, -4, 5}});
+        all.push_back({"cone", turned(new Geom_Line(gp_Pnt(9, 0, 2), gp_Dir(1, 0, 2 * up))), {0.3, 2.0, -4, 5}});
+        all.push_back({"cone", turned(new Geom_Line(gp_Pnt(9, 0, 2), gp_Dir(-1, 0, up))), {0.3, 2.0, -4, 5}});
+        // the line's own start lies on the far side of the axis
+        all.push_back({"cone", turned(new Geom_Line(gp_Pnt(-2, 0, 2), gp_Dir(1, 0, up))), {0.3, 2.0, 12, 20}});
+        for (const double start : {0.3, 0.7, -2.5})
+        {
+            const gp_Dir x(std::cos(start), 0, std::sin(start));
+            const double middle = up > 0.0 ? start : -start; // where the circle's angle is that of the x axis
+            all.push_back({"torus", turned(circle({40, 0, 3}, gp_Dir(0, up, 0), x, 11.0)), {0.3, 2.0, 1.0, 2.6}});
+            all.push_back({"torus", turned(circle({40, 0, 3}, gp_Dir(0, up, 0), x, 11.0)), {0.3, 2.0, 5.0, 6.1}});
+            all.push_back({"sphere",
+                           turned(circle({0, 0, 3}, gp_Dir(0, up, 0), x, 15.0)),
+                           {0.3, 2.0, middle - 0.9, middle + 1.1}});
+        }
+    }
+    return all;
+}
+
+TopoDS_Face face_on(const Disguised &d)
+{
+    return BRepBuilderAPI_MakeFace(d.surface, d.part.u0, d.part.u1, d.part.v0, d.part.v1, 1e-7);
+}
+
+//! The same surface turned and moved: its numbers are no longer round.
+Disguised askew(Disguised d)
+{
+    gp_Trsf move, turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(0.3, -0.5, 0.7)), 1.1);
+    move.SetTranslation(gp_Vec(300, -200, 77));
+    d.surface = Handle(Geom_Surface)::DownCast(d.surface->Transformed(move * turn));
+    return d;
+}
+
+} // namespace
+
+TEST(AnalyticForm, IsTheBaseInItsOwnParametersUpToAShift)
+{
+    int done = 0;
+    for (const Disguised &straight : disguised())
+        for (const Disguised &d : {straight, askew(straight)})
+        {
+            SCOPED_TRACE(testing::Message() << d.type << " case " << done);
+            const auto form = analytic_form(read_face(face_on(d)).value());
+            ASSERT_TRUE(form.has_value());
+            EXPECT_TRUE(form->disguised);
+            const Deviation found = deviation(d.surface, form->surface, d.part, 0.0, 21, form->shift);
+            EXPECT_LE(found.largest, 1e-11);
+            EXPECT_GT(found.least_cosine, 1.0 - 1e-12) << "the normals agree";
+            ++done;
+        }
+    EXPECT_GT(done, 50);
+}
+
+TEST(AnalyticForm, MakesTheOffsetAnalytic)
+{
+    for (const Disguised &straight : disguised())
+        for (const Disguised &d : {straight, askew(straight)})
+            for (const double distance : {-2.0, 3.0})
+            {
+                SCOPED_TRACE(testing::Message() << d.type << " at " << distance);
+                const TopoDS_Face face = face_on(d);
+                const auto result = offset(face, distance, 1e-4);
+                ASSERT_TRUE(result.ok()) << why(result);
+                const OffsetReport &report = result.value().report;
+                EXPECT_EQ(report.surface->type, d.type);
+                ASSERT_TRUE(report.certified_error && report.edge_error);
+                EXPECT_LE(*report.certified_error, 1e-9);
+                EXPECT_LE(*report.edge_error, 1e-4);
+                const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+                const gp_Vec2d shift = analytic_form(read_face(face).value())->shift;
+                const Deviation found = deviation(d.surface, made, d.part, distance, 21, shift);
+                EXPECT_LE(found.largest, *report.certified_error);
+                EXPECT_GT(found.least_cosine, 1.0 - 1e-12);
+                EXPECT_TRUE(offset_limits(face).value().proven);
+            }
+}
+
+TEST(AnalyticForm, WhatIsOnlyNearlyOneIsNone)
+{
+    const auto none = [](const Handle(Geom_Surface) & surface, const Rectangle &part) {
+        return !analytic_form(read_face(face_on({"", surface, part})).value()).has_value();
+    };
+    const Handle(Geom_Curve) ring = circle({3, 4, 5}, gp::DZ(), gp::DX(), 9.0);
+    EXPECT_TRUE(none(new Geom_SurfaceOfLinearExtrusion(ring, gp_Dir(1e-9, 0, 1)), {0.3, 2, -4, 5}));
+    const Handle(Geom_Curve) line = new Geom_Line(gp_Pnt(1, 2, 3), gp::DX());
+    EXPECT_TRUE(none(new Geom_SurfaceOfLinearExtrusion(line, gp_Dir(1e-9, 1, 0)), {-4, 6, -3, 5}));
+    EXPECT_TRUE(none(turned(new Geom_Line(gp_Pnt(9, 0, 2), gp_Dir(0.2, 1e-9, 1))), {0.3, 2, -4, 5})) << "a hyperboloid";
+    EXPECT_TRUE(none(turned(new Geom_Line(gp_Pnt(9, 0, 2), gp::DX())), {0.3, 2, -4, 5})) << "a disc";
+    EXPECT_TRUE(none(turned(circle({40, 1e-9, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, -1, 1})) << "off the axis";
+    EXPECT_TRUE(none(turned(circle({5, 0, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, -1, 1})) << "a spindle";
+    EXPECT_TRUE(none(turned(circle({0, 0, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, 0.3, 2.2})) << "past the pole";
+}
+
+TEST(AnalyticForm, HasTheSameLimitsInBothPlaces)
+{
+    for (const Disguised &d : disguised())
+    {
+        SCOPED_TRACE(d.type);
+        const TopoDS_Face face = face_on(d);
+        const auto limits = offset_limits(face);
+        const auto made = offset(face, 0.5);
+        ASSERT_TRUE(limits.ok() && made.ok()) << why(made);
+        const FeasibleRange &report = *made.value().report.limits;
+        ASSERT_EQ(report.negative.has_value(), limits.value().negative.has_value());
+        ASSERT_EQ(report.positive.has_value(), limits.value().positive.has_value());
+        for (const auto &[shown, limit] :
+             {std::pair(report.negative, limits.value().negative), std::pair(report.positive, limits.value().positive)})
+            if (limit)
+            {
+                EXPECT_EQ(*shown, limit->distance);
+                const auto past = offset(face, 1.001 * limit->distance);
+                ASSERT_FALSE(past.ok());
+                EXPECT_EQ(past.failure().status, Status::CurvatureLimit) << why(past);
+                EXPECT_TRUE(offset(face, 0.999 * limit->distance).ok());
+            }
+    }
+}
