@@ -10,13 +10,23 @@ namespace laminate_offset
 namespace
 {
 
-// A single piece of degree 2 both ways: no fit of a curved surface has fewer, and a flat one is hardly worth it.
+// A single piece of degree 2 both ways has so many: no fit of a curved surface has fewer, a flat one hardly.
 constexpr int few_poles = 9;
+// Rational pieces of this degree without a redundant knot: fits were measured to need 2 to 30 times their poles.
+constexpr int conic_degree = 2;
 
 int pole_count(const Handle(Geom_Surface) & surface)
 {
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
     return spline.IsNull() ? 0 : spline->NbUPoles() * spline->NbVPoles();
+}
+
+//! Can no fit have fewer poles?
+bool smallest(const OffsetSurface &exact)
+{
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(exact.geometry);
+    return pole_count(spline) <= few_poles || ((spline->IsURational() || spline->IsVRational()) &&
+                                               spline->UDegree() <= conic_degree && spline->VDegree() <= conic_degree);
 }
 
 //! The base surface's own geometry, as small as it is at hand. A periodic one is cut to where the loops are.
@@ -42,11 +52,10 @@ OffsetSurface base_itself(const InputFace &input, double distance)
     return result;
 }
 
-//! What needs no fit, with the fewest poles; a hidden shape wins a tie, since it has no error.
-std::optional<OffsetSurface> without_fit(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
-                                         double tolerance)
+//! The base itself where that is near enough and has fewer poles than the best so far.
+std::optional<OffsetSurface> or_base(std::optional<OffsetSurface> best, const SurfaceAnalysis &analysis,
+                                     const InputFace &input, double distance, double tolerance)
 {
-    std::optional<OffsetSurface> best = hidden_offset(analysis, distance, tolerance);
     if (!analysis.base.spline() || std::abs(distance) > tolerance)
         return best;
     OffsetSurface same = base_itself(input, distance);
@@ -66,9 +75,10 @@ Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const Inpu
     if (distance == 0.0)
         return base_itself(input, distance);
     const double tolerance = surface_share * options.tolerance;
-    std::optional<OffsetSurface> ready = without_fit(analysis, input, distance, tolerance);
-    if (ready && pole_count(ready->geometry) <= few_poles)
+    std::optional<OffsetSurface> ready = hidden_offset(analysis, distance, tolerance);
+    if (ready && smallest(*ready))
         return *std::move(ready);
+    ready = or_base(std::move(ready), analysis, input, distance, tolerance);
     Result<OffsetSurface> fitted = fit_offset(analysis, input, distance, tolerance, options);
     if (!ready)
         return fitted;
