@@ -36,8 +36,9 @@ namespace
 constexpr double tolerance = 1e-3;
 constexpr double half_angle = 0.5;
 constexpr double radius = 6.0;
-// The oracle takes the normal at the apex from tangents a ten millionth of the face beside it: of its rounding.
-constexpr double oracle_angle = 2e-6;
+// The oracle takes the normal at the apex from tangents a ten millionth of the face beside it: of its rounding, which
+// is largest on the narrowest face (the surface itself is compared everywhere, and more sharply).
+constexpr double oracle_angle = 1e-5;
 
 //! A cone from its apex on as a rational spline over part of the turn; its outward normal points away from the axis.
 TopoDS_Face rational_cone(double turn)
