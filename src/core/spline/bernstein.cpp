@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bernstein.h"
 
-#include "../base/vectorised.h"
+#include "vector_kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +33,6 @@ constexpr BinomialTable inverted(BinomialTable table)
 
 const double *binomials(int n) { return binomial_table[static_cast<std::size_t>(n)].data(); }
 const double *inverse_binomials(int n) { return inverse_binomial_table[static_cast<std::size_t>(n)].data(); }
-
-//! to += x from, the loop in which products spend their time.
-LAMINATE_OFFSET_VECTORISED
-void add_multiple(double x, const double *__restrict from, double *__restrict to, int count)
-{
-    for (int k = 0; k < count; ++k)
-        to[k] += x * from[k];
-}
 
 //! Pole weights of the blossom with a repeated p - i and b repeated i times, on one span (de Boor).
 void blossom_weights(const KnotVector &kv, int span, double a, double b, int i, double *weights)

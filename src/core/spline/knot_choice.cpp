@@ -23,9 +23,12 @@ constexpr double smallest_span = 1e-5;
 constexpr int last_tries = 4;
 // The middle degrees win most often, and what they reach cuts the others short.
 constexpr int degree_order[] = {4, 5, 3, 6, 7, 2, 1};
-// A refined fit of this many times the best pole count is not worth thinning out; polylines and parabolas, which
-// refine without end where they do not fit at once, have to win as they are.
-constexpr int worth_thinning = 2;
+// A refined fit is thinned out only if that may beat the best count so far: if thinning leaves it this part of what it
+// left the luckiest degree before. Polylines and parabolas, which refine without end where they do not fit at once,
+// have to win as they are. Small fits cost too little to be judged.
+constexpr double luckier = 0.75;
+constexpr double least_part_left = 0.5;
+constexpr int small_fit = 40;
 constexpr int lowest_thinned_degree = 3;
 // The error of n poles falls like n^-(degree + 1) on smooth data, and faster where knots go where they are needed:
 // a search is left when even this part of the poles so predicted is too many.
@@ -52,32 +55,29 @@ public:
             breaks.push_back(b.parameter);
         breaks.push_back(problem.high);
         const int intervals = static_cast<int>(breaks.size()) - 1;
-        m_breaks = breaks;
         take(chebyshev_parameters(breaks, std::max(least_per_interval, (least_samples + intervals - 1) / intervals)));
     }
 
-    //! Takes new samples so dense that every span of the knots holds enough of them.
+    //! Where some span does not hold more samples than the degree, takes more in all spans that hold few.
     void densify(const KnotVector &kv)
     {
-        m_breaks = merged_breaks(m_breaks, kv.breaks());
-        take(span_parameters(kv, m_breaks, kv.degree + 1 + spare_samples, least_per_interval));
-    }
-
-    //! Does every span hold more samples than the degree?
-    [[nodiscard]] bool dense_enough(const KnotVector &kv) const
-    {
         if (m_problem.fine)
-            return true;
+            return;
+        const int wanted = kv.degree + 1 + spare_samples;
+        bool short_of_samples = false;
+        std::vector<double> added;
         const std::vector<double> spans = kv.breaks();
         auto from = m_parameters.begin();
         for (std::size_t i = 1; i < spans.size(); ++i)
         {
             const auto to = std::lower_bound(from, m_parameters.end(), spans[i]);
-            if (to - from <= kv.degree)
-                return false;
+            short_of_samples = short_of_samples || to - from <= kv.degree;
+            if (to - from < wanted)
+                add_chebyshev(spans[i - 1], spans[i], wanted, added);
             from = to;
         }
-        return true;
+        if (short_of_samples)
+            take(added);
     }
 
     //! The least-squares problem of these data over some knots.
@@ -91,15 +91,29 @@ public:
     [[nodiscard]] const CompressedRows &rows() const { return m_rows; }
 
 private:
-    void take(std::vector<double> parameters)
+    //! Adds the samples at increasing parameters to those that are there, and compresses all.
+    void take(const std::vector<double> &added)
     {
+        const RowMatrix samples = m_problem.sample(added);
+        std::vector<double> parameters(m_parameters.size() + added.size());
+        RowMatrix all(static_cast<Eigen::Index>(parameters.size()), samples.cols());
+        std::size_t i = 0;
+        std::size_t j = 0;
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+        {
+            const bool old = j == added.size() || (i < m_parameters.size() && m_parameters[i] <= added[j]);
+            parameters[k] = old ? m_parameters[i] : added[j];
+            const RowMatrix &from = old ? m_samples : samples;
+            all.row(static_cast<Eigen::Index>(k)) = from.row(static_cast<Eigen::Index>(old ? i++ : j++));
+        }
         m_parameters = std::move(parameters);
-        m_rows = compress(m_problem.sample(m_parameters), compression_share * m_problem.tolerance);
+        m_samples = std::move(all);
+        m_rows = compress(m_samples, compression_share * m_problem.tolerance);
     }
 
     const KnotProblem &m_problem;
-    std::vector<double> m_breaks;
     std::vector<double> m_parameters;
+    RowMatrix m_samples;
     CompressedRows m_rows;
 };
 
@@ -125,10 +139,16 @@ public:
     std::optional<Trial> run()
     {
         std::optional<Trial> trial = refine();
-        if (trial)
-            thin_out(*trial);
+        if (!trial)
+            return trial;
+        const double refined = trial->knots.pole_count();
+        thin_out(*trial);
+        m_part_left = trial->knots.pole_count() / refined;
         return trial;
     }
+
+    //! Part of the refined fit's poles that thinning out has left.
+    [[nodiscard]] double part_left() const { return m_part_left; }
 
 private:
     //! A fit whose errors are still to be found, with the residual of the compressed rows.
@@ -241,8 +261,7 @@ private:
         while (static_cast<int>(interior.size()) + m_degree + 1 <= m_most_poles)
         {
             const KnotVector kv = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
-            if (!m_data.dense_enough(kv))
-                m_data.densify(kv);
+            m_data.densify(kv);
             std::optional<Trial> trial = fit(interior);
             if (!trial || trial->error <= m_problem.tolerance)
                 return trial;
@@ -343,6 +362,7 @@ private:
     SampledData &m_data;
     int m_degree;
     int m_most_poles;
+    double m_part_left = 1.0;
 };
 
 } // namespace
@@ -351,6 +371,7 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
 {
     SampledData data(problem);
     std::optional<KnotChoice> best;
+    double part_left = 1.0;
     for (const int degree : degree_order)
     {
         if (degree < problem.min_degree || degree > problem.max_degree)
@@ -358,10 +379,15 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
         const int fewest = best ? best->knots.pole_count() : problem.max_poles;
         if (degree + 1 >= fewest)
             continue;
-        const int excess = degree < lowest_thinned_degree ? 1 : worth_thinning;
-        const int most = best ? std::min(problem.max_poles, excess * fewest) : problem.max_poles;
-        const std::optional<Trial> trial = DegreeSearch(problem, data, degree, most).run();
-        if (trial && trial->knots.pole_count() < fewest)
+        const double judged = fewest > small_fit ? std::max(least_part_left, luckier * part_left) : least_part_left;
+        const double hope = degree < lowest_thinned_degree ? 1.0 : judged;
+        const int most = best ? static_cast<int>(fewest / hope) : problem.max_poles;
+        DegreeSearch search(problem, data, degree, std::min(most, problem.max_poles));
+        const std::optional<Trial> trial = search.run();
+        if (!trial)
+            continue;
+        part_left = std::min(part_left, search.part_left());
+        if (trial->knots.pole_count() < fewest)
             best = KnotChoice{trial->knots, trial->error};
     }
     return best;

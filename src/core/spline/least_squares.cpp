@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "least_squares.h"
 
+#include "vector_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -80,11 +82,11 @@ bool LeastSquaresFit::factorise()
 
 RowMatrix LeastSquaresFit::solve(const RowMatrix &samples) const
 {
-    const int inner = std::max(0, m_poles - 2);
     const int width = m_basis.width();
+    const int columns = static_cast<int>(samples.cols());
     const Eigen::Index last = samples.rows() - 1;
-    RowMatrix poles = RowMatrix::Zero(m_poles, samples.cols());
-    Eigen::RowVectorXd target(samples.cols());
+    RowMatrix poles = RowMatrix::Zero(m_poles, columns);
+    Eigen::RowVectorXd target(columns);
     for (int r = 0; r < m_basis.rows(); ++r)
     {
         const double *n = m_basis.row(r);
@@ -94,39 +96,43 @@ RowMatrix LeastSquaresFit::solve(const RowMatrix &samples) const
             target -= n[0] * samples.row(0);
         if (first + width == m_poles)
             target -= n[width - 1] * samples.row(last);
-        for (int i = 0; i < width; ++i)
-            if (first + i > 0 && first + i < m_poles - 1)
-                poles.row(first + i) += n[i] * target;
+        add_outer_product(n, width, target.data(), poles.row(first).data(), columns);
     }
+    substitute(poles);
+    poles.row(0) = samples.row(0);
+    poles.row(m_poles - 1) = samples.row(last);
+    return poles;
+}
+
+//! Forward and backward substitution; the rows of the end poles are left alone.
+void LeastSquaresFit::substitute(RowMatrix &poles) const
+{
+    const int inner = std::max(0, m_poles - 2);
+    const int width = m_basis.width();
+    const int columns = static_cast<int>(poles.cols());
     const auto factor = [&](int row, int column) {
         return m_band[static_cast<std::size_t>(row) * width + (row - column)];
     };
     for (int i = 0; i < inner; ++i)
     {
         for (int k = std::max(0, i - width + 1); k < i; ++k)
-            poles.row(i + 1) -= factor(i, k) * poles.row(k + 1);
+            add_multiple(-factor(i, k), poles.row(k + 1).data(), poles.row(i + 1).data(), columns);
         poles.row(i + 1) /= factor(i, i);
     }
     for (int i = inner - 1; i >= 0; --i)
     {
         for (int k = i + 1; k < std::min(inner, i + width); ++k)
-            poles.row(i + 1) -= factor(k, i) * poles.row(k + 1);
+            add_multiple(-factor(k, i), poles.row(k + 1).data(), poles.row(i + 1).data(), columns);
         poles.row(i + 1) /= factor(i, i);
     }
-    poles.row(0) = samples.row(0);
-    poles.row(m_poles - 1) = samples.row(last);
-    return poles;
 }
 
 RowMatrix LeastSquaresFit::residual(const RowMatrix &poles, const RowMatrix &samples) const
 {
     RowMatrix result = samples;
     for (int r = 0; r < m_basis.rows(); ++r)
-    {
-        const double *n = m_basis.row(r);
-        for (int i = 0; i < m_basis.width(); ++i)
-            result.row(r) -= n[i] * poles.row(m_basis.first(r) + i);
-    }
+        subtract_combination(m_basis.row(r), m_basis.width(), poles.row(m_basis.first(r)).data(), result.row(r).data(),
+                             static_cast<int>(result.cols()));
     return result;
 }
 

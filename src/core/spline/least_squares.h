@@ -41,6 +41,7 @@ public:
 private:
     LeastSquaresFit(int poles, BasisRows basis);
     bool factorise();
+    void substitute(RowMatrix &poles) const;
 
     int m_poles = 0;
     BasisRows m_basis;

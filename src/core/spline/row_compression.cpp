@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "row_compression.h"
 
+#include "vector_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +30,9 @@ Eigen::VectorXd CompressedRows::quick_bounds(const RowMatrix &factor_error) cons
 
 double CompressedRows::exact_error(const RowMatrix &factor_error, Eigen::Index row, Eigen::RowVectorXd &points) const
 {
-    points.noalias() = factor_error.row(row) * combination;
+    points.setZero(combination.cols()); // the error's sign does not matter
+    subtract_combination(factor_error.row(row).data(), static_cast<int>(factor_error.cols()), combination.data(),
+                         points.data(), static_cast<int>(points.size()));
     double longest = 0.0;
     for (Eigen::Index c = 0; c + 2 < points.size(); c += 3)
         longest = std::max(longest, points.segment<3>(c).squaredNorm());
@@ -39,7 +43,7 @@ std::vector<double> CompressedRows::point_errors(const RowMatrix &factor_error, 
 {
     const Eigen::VectorXd quick = quick_bounds(factor_error);
     std::vector<double> errors(quick.begin(), quick.end());
-    Eigen::RowVectorXd points(combination.cols());
+    Eigen::RowVectorXd points;
     for (Eigen::Index r = 0; r < factor_error.rows(); ++r)
         if (double &error = errors[static_cast<std::size_t>(r)]; error > enough)
             error = exact_error(factor_error, r, points);
@@ -50,7 +54,7 @@ std::optional<double> CompressedRows::largest_error(const RowMatrix &factor_erro
 {
     // the row that looks worst first: it settles most refusals
     Eigen::VectorXd quick = quick_bounds(factor_error);
-    Eigen::RowVectorXd points(combination.cols());
+    Eigen::RowVectorXd points;
     double largest = 0.0;
     Eigen::Index worst = 0;
     while (quick.maxCoeff(&worst) > most)
@@ -80,8 +84,11 @@ CompressedRows compress(const RowMatrix &samples, double accuracy)
             break;
         const Eigen::VectorXd direction = remaining.col(pivot).normalized();
         const Eigen::RowVectorXd row = direction.transpose() * remaining;
-        remaining.noalias() -= direction * row;
-        weights = remaining.colwise().squaredNorm().transpose();
+        for (Eigen::Index c = 0; c < remaining.cols(); ++c)
+        {
+            add_multiple(-row[c], direction.data(), remaining.col(c).data(), static_cast<int>(remaining.rows()));
+            weights[c] = remaining.col(c).squaredNorm();
+        }
         directions.push_back(direction);
         combinations.push_back(row);
     }
