@@ -29,8 +29,8 @@ struct OffsetLimits
 {
     std::optional<OffsetLimit> negative; //!< distance <= 0
     std::optional<OffsetLimit> positive; //!< distance >= 0
-    bool proven = true;                  //!< false where curvature could only be sampled: a base that is no spline in
-                                         //!< its own parameters (a revolution), a pole
+    bool proven = true;                  //!< false where curvature could only be sampled: a pole, a base
+                                         //!< without spline or model (an offset curve turned)
 };
 
 //! The limits of a trimmed face. Planes, cylinders, cones, spheres and tori have them in closed form; on

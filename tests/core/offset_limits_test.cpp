@@ -14,6 +14,7 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
+#include <Geom_OffsetCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -185,10 +186,11 @@ TEST(OffsetLimits, OfRandomSurfacesAreAttainedWhereTheySay)
     }
 }
 
-TEST(OffsetLimits, OfARevolutionSayThatTheyAreSampled)
+TEST(OffsetLimits, OfATurnedOffsetCurveSayThatTheyAreSampled)
 {
     const Handle(Geom_Curve) profile = new Geom_Ellipse(gp_Ax2(gp_Pnt(30, 0, 0), -gp::DY(), gp::DX()), 9.0, 8.0);
-    const Handle(Geom_Surface) surface = new Geom_SurfaceOfRevolution(profile, gp::OZ());
+    const Handle(Geom_Curve) beside = new Geom_OffsetCurve(profile, 2.0, gp::DY());
+    const Handle(Geom_Surface) surface = new Geom_SurfaceOfRevolution(beside, gp::OZ());
     const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 0, 1, 0.1, 1.2, 1e-7);
     const Result<OffsetLimits> limits = offset_limits(face);
     ASSERT_TRUE(limits.ok());

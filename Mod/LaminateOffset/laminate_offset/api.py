@@ -39,8 +39,8 @@ class OffsetLimits:
         where_negative: the place that folds first on the negative side, {"u", "v", "x", "y", "z"} (x, y, z in mm), or
             None.
         where_positive: the same for the positive side.
-        proven: whether the limits are proven; False where curvature could only be sampled, at poles and on a surface
-            that is no spline in its own parameters.
+        proven: whether the limits are proven; False where curvature could only be sampled, at poles and on
+            swept offset curves.
     """
 
     def __init__(self, values: Mapping[str, Any]) -> None:

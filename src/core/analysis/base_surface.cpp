@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base_surface.h"
 
+#include "swept_model.h"
+
 #include <GeomAbs_Shape.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomConvert.hxx>
@@ -80,15 +82,6 @@ Handle(Geom_BSplineSurface) same_parameter_spline(const Handle(Geom_Surface) & s
         new Geom_RectangularTrimmedSurface(extrusion, box.umin, box.umax, box.vmin, box.vmax));
 }
 
-std::vector<SmoothnessBreak> spline_breaks(const KnotVector &kv)
-{
-    std::vector<SmoothnessBreak> breaks;
-    for (const Knot &knot : kv.distinct())
-        if (knot.parameter > kv.front() && knot.parameter < kv.back())
-            breaks.push_back({knot.parameter, std::max(0, kv.degree - knot.multiplicity)});
-    return breaks;
-}
-
 //! Interval ends by class of continuity, as OpenCASCADE reports them: C0 first, so that the lowest
 //! class that a parameter breaks is the one that is kept.
 template <typename Count, typename Fill>
@@ -147,9 +140,19 @@ void widen(double &low, double &high, double first, double last, bool periodic)
 
 } // namespace
 
+std::vector<SmoothnessBreak> spline_breaks(const KnotVector &kv)
+{
+    std::vector<SmoothnessBreak> breaks;
+    for (const Knot &knot : kv.distinct())
+        if (knot.parameter > kv.front() && knot.parameter < kv.back())
+            breaks.push_back({knot.parameter, std::max(0, kv.degree - knot.multiplicity)});
+    return breaks;
+}
+
 double ModelError::of_offset(double distance) const { return point + std::abs(distance) * normal; }
 
-BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box) : m_surface(surface), m_box(box)
+BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box, const ModelDemand &demand)
+    : m_surface(surface), m_box(box)
 {
     if (const Handle(Geom_BSplineSurface) spline = same_parameter_spline(surface, box); !spline.IsNull())
     {
@@ -161,6 +164,16 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
         m_box = {m_spline->u.front(), m_spline->u.back(), m_spline->v.front(), m_spline->v.back()};
         m_breaks_u = spline_breaks(m_spline->u);
         m_breaks_v = spline_breaks(m_spline->v);
+        return;
+    }
+    if (std::optional<SweptModel> model = swept_model(surface, box, demand))
+    {
+        m_spline = std::move(model->spline);
+        m_model_error = model->error;
+        m_strip = std::move(model->strip);
+        m_box = {m_spline->u.front(), m_spline->u.back(), m_spline->v.front(), m_spline->v.back()};
+        m_breaks_u = std::move(model->breaks_u);
+        m_breaks_v = std::move(model->breaks_v);
         return;
     }
     const GeomAdaptor_Surface adaptor(surface, box.umin, box.umax, box.vmin, box.vmax);

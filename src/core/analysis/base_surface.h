@@ -26,18 +26,38 @@ struct ModelError
     double point = 0.0;     //!< |S - S*| [mm]
     double normal = 0.0;    //!< |N - N*|
     double curvature = 0.0; //!< of the principal curvatures [1/mm]
+    //! Further, a factor: k lies between k* / (1 + curvature_ratio) - curvature and
+    //! k* (1 + curvature_ratio) + curvature for k*, k > 0, turned around for k* < 0. A ratio keeps the sign.
+    double curvature_ratio = 0.0;
 
     //! What it adds to the error of S + distance * N [mm].
     [[nodiscard]] double of_offset(double distance) const;
 };
 
-//! Evaluates the base surface in one of two ways: as its own tensor-product spline where the surface
-//! is one in the same parameters, else through Geom_Surface.
+//! A narrow strip of a surface whose curvature depends on one parameter only, in coordinates of its own. On its
+//! middle line it has the surface's curvatures.
+struct CurvatureStrip
+{
+    TensorSpline spline;
+    bool along_u = false; //!< u (else v) is the parameter, with the surface's own values
+    double middle = 0.0;  //!< the other parameter on the middle line
+    double width = 1.0;   //!< of the strip in the other parameter
+};
+
+//! What a model has to be good for.
+struct ModelDemand
+{
+    double distance = 0.0;  //!< of the offset [mm]
+    double tolerance = 0.0; //!< of the offset [mm]; a model takes a small part of it
+};
+
+//! Evaluates the base surface in one of two ways: as a tensor-product spline where the surface is one in the
+//! same parameters or has a model (swept_model.h), else through Geom_Surface.
 class BaseSurface
 {
 public:
     //! \param box part of the surface that has to be evaluated; a spline base is cut down to it.
-    BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box);
+    BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box, const ModelDemand &demand);
 
     //! From here on another spline, within `error` of this one and over the same box, stands for the base.
     void adopt_model(TensorSpline model, const ModelError &error);
@@ -46,6 +66,8 @@ public:
     //! The base as a spline in the same parameters, or a spline within model_error() of it, if there is one.
     [[nodiscard]] const std::optional<TensorSpline> &spline() const { return m_spline; }
     [[nodiscard]] const ModelError &model_error() const { return m_model_error; }
+    //! Where there is one, curvatures are those of the strip, and model_error() says how near they are.
+    [[nodiscard]] const std::optional<CurvatureStrip> &strip() const { return m_strip; }
     //! Interior breaks in increasing order.
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_u() const { return m_breaks_u; }
     [[nodiscard]] const std::vector<SmoothnessBreak> &breaks_v() const { return m_breaks_v; }
@@ -72,9 +94,13 @@ private:
     ParameterBox m_box;
     std::optional<TensorSpline> m_spline;
     ModelError m_model_error;
+    std::optional<CurvatureStrip> m_strip;
     std::vector<SmoothnessBreak> m_breaks_u;
     std::vector<SmoothnessBreak> m_breaks_v;
 };
+
+//! The interior knots and how smooth a spline of general position is there.
+std::vector<SmoothnessBreak> spline_breaks(const KnotVector &kv);
 
 //! The box that the fit covers: the loops' box with a small margin, kept inside the surface's own
 //! domain where the surface has ends.

@@ -2,6 +2,7 @@
 #include "curvature.h"
 
 #include "curvature_piece.h"
+#include "strip_curvature.h"
 
 #include "../spline/knot_choice.h"
 
@@ -288,6 +289,8 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
 
 CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, const CurvatureSearch &search)
 {
+    if (base.strip())
+        return strip_extremes(*base.strip(), region, search);
     const std::pair<Best, Best> start = sampled_extremes(base, region, !base.spline());
     if (!base.spline())
         return {{-start.first.value, -start.first.value, start.first.uv, true},

@@ -27,7 +27,7 @@ struct CurvatureBound
     double attained = 0.0; //!< the most extreme curvature found, at uv
     double proven = 0.0;   //!< no curvature inside the loops is more extreme than this
     gp_Pnt2d uv;
-    bool sampled = false; //!< somewhere (at a pole, or everywhere on a base that is no spline) only samples count
+    bool sampled = false; //!< somewhere (at a pole, or everywhere on a base without spline or model) only samples count
 };
 
 struct CurvatureExtremes

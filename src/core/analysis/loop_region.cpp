@@ -47,6 +47,19 @@ bool LoopRegion::may_touch(const ParameterBox &box) const
     return contains(gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax)));
 }
 
+ParameterBox LoopRegion::bounds() const
+{
+    ParameterBox box = m_pieces.front().box;
+    for (const PcurvePiece &piece : m_pieces)
+    {
+        box.umin = std::min(box.umin, piece.box.umin);
+        box.umax = std::max(box.umax, piece.box.umax);
+        box.vmin = std::min(box.vmin, piece.box.vmin);
+        box.vmax = std::max(box.vmax, piece.box.vmax);
+    }
+    return box;
+}
+
 std::vector<gp_Pnt2d> LoopRegion::boundary_points() const
 {
     std::vector<gp_Pnt2d> points;

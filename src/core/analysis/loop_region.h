@@ -25,6 +25,9 @@ public:
     //! touch from outside does not count.
     [[nodiscard]] bool may_touch(const ParameterBox &box) const;
 
+    //! A box around the loops.
+    [[nodiscard]] ParameterBox bounds() const;
+
     //! Points on the loops, the ends of the pieces.
     [[nodiscard]] std::vector<gp_Pnt2d> boundary_points() const;
 

@@ -21,6 +21,8 @@ constexpr double crease_step = 1e-8;
 constexpr int crease_probes = 33;
 // Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
 constexpr double flat_curvature = 1e-9;
+// A model that is flat is one of a flat base as long as its curvature is this many times as uncertain as rounding.
+constexpr double model_flatness = 1e3;
 // Relative width between what is proven and what is attained at which the search for a limit ends.
 constexpr double limit_gap = 5e-3;
 
@@ -87,13 +89,18 @@ Result<bool> check_creases(const BaseSurface &base, const InputFace &input, cons
         input, worst.uv);
 }
 
-//! Bounds of the model's curvatures become bounds of the base's.
-void allow_for_model(const ModelError &error, CurvatureExtremes &extremes)
+//! A bound of the model's curvatures becomes one of the base's.
+//! \param sign +1 for the highest curvature, -1 for the lowest.
+//! \param flat curvature that is rounding, not shape.
+void allow_for_model(const ModelError &error, double sign, double flat, CurvatureBound &k)
 {
-    extremes.lowest.proven -= error.curvature;
-    extremes.lowest.attained = std::min(0.0, extremes.lowest.attained + error.curvature);
-    extremes.highest.proven += error.curvature;
-    extremes.highest.attained = std::max(0.0, extremes.highest.attained - error.curvature);
+    const double factor = 1.0 + error.curvature_ratio;
+    if (sign * k.proven > flat)
+        k.proven *= factor;
+    else if (error.curvature <= flat * model_flatness)
+        return;
+    k.proven += sign * error.curvature;
+    k.attained = sign * std::max(0.0, sign * k.attained / factor - error.curvature);
 }
 
 //! Does the offset fold? The limits must have been searched for this distance.
@@ -124,8 +131,9 @@ Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &inp
 
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
-    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input)), LoopRegion(input), std::nullopt, std::nullopt};
     const double farther = std::max(std::abs(distance), std::abs(input.base_distance));
+    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input), {farther, tolerance}), LoopRegion(input),
+                             std::nullopt, std::nullopt};
     if (const auto smooth = check_creases(analysis.base, input, analysis.region, farther, tolerance); !smooth)
         return smooth.failure();
     if (const auto regular = check_base_distance(analysis, input); !regular)
@@ -142,8 +150,9 @@ void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double dista
         return;
     }
     CurvatureExtremes extremes = curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
-    allow_for_model(analysis.base.model_error(), extremes);
     const double flat = flat_curvature / input.diagonal;
+    allow_for_model(analysis.base.model_error(), -1.0, flat, extremes.lowest);
+    allow_for_model(analysis.base.model_error(), 1.0, flat, extremes.highest);
     const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
         if (std::abs(k.proven) <= flat)
             return std::nullopt;
@@ -161,7 +170,7 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
     if (!analysis)
         return analysis;
     BaseSurface &base = analysis.value().base;
-    if (base.spline())
+    if (base.spline() && !base.strip()) // the models of swept surfaces are light
         if (std::optional<LightModel> light = light_model(*base.spline(), distance, tolerance))
             base.adopt_model(std::move(light->spline), light->error);
     find_limits(analysis.value(), input, distance, limit_gap);

@@ -31,7 +31,8 @@ struct SurfaceAnalysis
     LoopRegion region;
     std::optional<CurvatureLimit> negative; //!< empty: no limit on that side
     std::optional<CurvatureLimit> positive;
-    bool sampled = false; //!< curvature could only be sampled somewhere: at a pole, or on a base that is no spline
+    bool sampled =
+        false; //!< curvature could only be sampled somewhere: at a pole, or on a base without spline or model
 };
 
 //! The base and its loops without the limits.

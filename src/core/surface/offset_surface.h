@@ -56,7 +56,7 @@ std::optional<OffsetSurface> hidden_offset(const SurfaceAnalysis &analysis, doub
 
 //! A polynomial B-spline in the base's parameters within `tolerance` [mm] of the exact offset, with
 //! degree and knots chosen for few poles. The bound is proven over the trimmed region (certificate.h)
-//! where the base is a spline in its own parameters; else it is checked at a dense set of samples.
+//! where the base is a spline in its own parameters or has a model; else it is checked at a dense set of samples.
 //! \param distance along S_u x S_v [mm].
 //! Refusals: SingularNormal, ToleranceNotReached, Cancelled.
 Result<OffsetSurface> fit_offset(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
