@@ -151,7 +151,8 @@ std::vector<SmoothnessBreak> spline_breaks(const KnotVector &kv)
 
 double ModelError::of_offset(double distance) const { return point + std::abs(distance) * normal; }
 
-BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box, const ModelDemand &demand)
+BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box,
+                         const std::optional<ModelDemand> &demand)
     : m_surface(surface), m_box(box)
 {
     if (const Handle(Geom_BSplineSurface) spline = same_parameter_spline(surface, box); !spline.IsNull())
@@ -166,7 +167,7 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
         m_breaks_v = spline_breaks(m_spline->v);
         return;
     }
-    if (std::optional<SweptModel> model = swept_model(surface, box, demand))
+    if (std::optional<SweptModel> model = demand ? swept_model(surface, box, *demand) : std::nullopt)
     {
         m_spline = std::move(model->spline);
         m_model_error = model->error;

@@ -57,7 +57,9 @@ class BaseSurface
 {
 public:
     //! \param box part of the surface that has to be evaluated; a spline base is cut down to it.
-    BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box, const ModelDemand &demand);
+    //! \param demand empty: only a surface that is a spline itself becomes one.
+    BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box,
+                const std::optional<ModelDemand> &demand = std::nullopt);
 
     //! From here on another spline, within `error` of this one and over the same box, stands for the base.
     void adopt_model(TensorSpline model, const ModelError &error);

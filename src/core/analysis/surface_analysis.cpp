@@ -132,8 +132,8 @@ Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &inp
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
     const double farther = std::max(std::abs(distance), std::abs(input.base_distance));
-    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input), {farther, tolerance}), LoopRegion(input),
-                             std::nullopt, std::nullopt};
+    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input), ModelDemand{farther, tolerance}),
+                             LoopRegion(input), std::nullopt, std::nullopt};
     if (const auto smooth = check_creases(analysis.base, input, analysis.region, farther, tolerance); !smooth)
         return smooth.failure();
     if (const auto regular = check_base_distance(analysis, input); !regular)

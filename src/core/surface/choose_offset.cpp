@@ -56,8 +56,8 @@ OffsetSurface base_itself(const InputFace &input, double distance)
 std::optional<OffsetSurface> or_base(std::optional<OffsetSurface> best, const SurfaceAnalysis &analysis,
                                      const InputFace &input, double distance, double tolerance)
 {
-    if (!analysis.base.spline() || std::abs(distance) > tolerance)
-        return best;
+    if (!analysis.base.spline() || analysis.base.strip() || std::abs(distance) > tolerance)
+        return best; // a swept surface is no spline itself
     OffsetSurface same = base_itself(input, distance);
     const bool near = *same.certified_error <= tolerance;
     if (near && (!best || pole_count(same.geometry) < pole_count(best->geometry)))
