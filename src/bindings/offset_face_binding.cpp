@@ -76,7 +76,7 @@ py::tuple offset_face_for_python(const py::object &shape, double distance, doubl
     progress.rethrow();
     if (!result)
         raise(result.failure(), options);
-    return py::make_tuple(to_part(result.value().face, selected_exchange()), to_python(result.value().report));
+    return py::make_tuple(to_part(result.value().shape, selected_exchange()), to_python(result.value().report));
 }
 
 } // namespace
@@ -89,7 +89,8 @@ void bind_offset_face(py::module_ &module)
                py::arg("extension") = defaults.extension, py::arg("max_degree") = py::none(),
                py::arg("progress") = py::none(),
                "Offsets one Part.Face; lengths in mm, the distance signed along the face's outward normal. Returns "
-               "the new face and the report as a dict, or raises OffsetError, ValueError or TypeError.");
+               "the new face, or the shell of a creased face's parts, and the report as a dict, or raises OffsetError, "
+               "ValueError or TypeError.");
 }
 
 } // namespace laminate_offset::python

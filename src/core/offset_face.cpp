@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_face.h"
 
+#include "analysis/creases.h"
 #include "analysis/self_intersection.h"
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
 #include "surface/offset_surface.h"
 #include "topology/build_face.h"
+#include "trimming/tear.h"
 #include "trimming/trim_loops.h"
 
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <TopoDS.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,6 +44,15 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    //! A face, or a part of it, after the stages that make its offset.
+    struct Made
+    {
+        OffsetSurface surface;
+        TrimLoops loops;
+        TopoDS_Face face;
+        OffsetReport report;
+    };
+
     void enter(Stage stage)
     {
         leave();
@@ -53,7 +65,11 @@ private:
         if (m_entered == Clock::time_point{})
             return;
         const std::chrono::duration<double, std::milli> spent = Clock::now() - m_entered;
-        m_elapsed.stages.emplace_back(m_stage, spent.count());
+        auto stage = std::find_if(m_elapsed.stages.begin(), m_elapsed.stages.end(),
+                                  [&](const auto &known) { return known.first == m_stage; });
+        if (stage == m_elapsed.stages.end())
+            stage = m_elapsed.stages.insert(stage, {m_stage, 0.0});
+        stage->second += spent.count();
         m_elapsed.total += spent.count();
         m_entered = {};
     }
@@ -66,35 +82,107 @@ private:
         const Result<InputFace> input = read_face(shape);
         if (!input)
             return input.failure();
-        const double distance = input.value().from_surface(m_options.distance);
+        Result<Made> whole = make(input.value(), m_options);
+        if (!whole && whole.failure().status == Status::KinkedSurface)
+            return run_parts(input.value());
+        leave();
+        if (!whole)
+            return whole.failure();
+        OffsetReport report = std::move(whole.value().report);
+        report.elapsed = m_elapsed;
+        return OffsetResult{whole.value().face, std::move(report)};
+    }
+
+    //! The parts between creases, each through all stages on its own.
+    Result<OffsetResult> run_parts(const InputFace &input)
+    {
         enter(Stage::Analysis);
-        const Result<SurfaceAnalysis> analysis = analyse(input.value(), distance, m_options.tolerance);
+        const Result<std::vector<InputFace>> parts =
+            split_at_creases(input, input.from_surface(m_options.distance), m_options.tolerance);
+        if (!parts)
+            return parts.failure();
+        std::vector<Made> made;
+        for (const InputFace &part : parts.value())
+        {
+            Result<Made> one = make(part, part_options(made.size(), parts.value().size()));
+            if (!one)
+                return with_limits_of_all(one.failure(), parts.value());
+            made.push_back(std::move(one).value());
+        }
+        enter(Stage::Topology);
+        std::vector<OffsetPart> torn;
+        std::vector<TopoDS_Face> faces;
+        for (const Made &part : made)
+        {
+            torn.push_back({part.surface, part.loops});
+            faces.push_back(part.face);
+        }
+        OffsetReport report = joint_report(input, parts.value(), made);
+        const Tear tear = measure_tear(torn, m_options.tolerance);
+        report.gap = tear.width;
+        report.crease = tear.kind;
+        leave();
+        report.elapsed = m_elapsed;
+        return OffsetResult{build_shell(input, faces), std::move(report)};
+    }
+
+    //! What would work for one part has to work for the others too.
+    Failure with_limits_of_all(Failure failure, const std::vector<InputFace> &parts) const
+    {
+        if (!failure.feasible_range)
+            return failure;
+        for (const InputFace &part : parts)
+        {
+            const double distance = part.from_surface(m_options.distance);
+            if (const Result<SurfaceAnalysis> analysis = analyse(part, distance, m_options.tolerance))
+                failure.feasible_range = tightest(*failure.feasible_range, feasible_range(analysis.value(), part));
+        }
+        return failure;
+    }
+
+    //! The options for one of several parts, which reports its share of the progress.
+    [[nodiscard]] OffsetOptions part_options(std::size_t index, std::size_t count) const
+    {
+        OffsetOptions options = m_options;
+        if (m_options.progress)
+            options.progress = [outer = m_options.progress, index, count](double fraction) {
+                return outer((static_cast<double>(index) + fraction) / static_cast<double>(count));
+            };
+        return options;
+    }
+
+    Result<Made> make(const InputFace &input, const OffsetOptions &options)
+    {
+        const double distance = input.from_surface(options.distance);
+        enter(Stage::Analysis);
+        const Result<SurfaceAnalysis> analysis = analyse(input, distance, options.tolerance);
         if (!analysis)
             return analysis.failure();
         enter(Stage::Surface);
-        const Result<OffsetSurface> surface = checked_surface(input.value(), analysis.value(), distance);
+        Result<OffsetSurface> surface = checked_surface(input, analysis.value(), distance, options);
         if (!surface)
             return surface.failure();
         enter(Stage::Trimming);
-        const Result<TrimLoops> loops = offset_loops(
-            {input.value(), analysis.value().base, surface.value(), distance, edge_share * m_options.tolerance});
+        Result<TrimLoops> loops =
+            offset_loops({input, analysis.value().base, surface.value(), distance, edge_share * options.tolerance});
         if (!loops)
             return loops.failure();
-        if (const Result<bool> close = check_edges(input.value(), surface.value(), loops.value()); !close)
+        if (const Result<bool> close = check_edges(input, surface.value(), loops.value()); !close)
             return close.failure();
         enter(Stage::Topology);
-        const Result<TopoDS_Face> face = build_face(input.value(), surface.value(), loops.value());
+        const Result<TopoDS_Face> face = build_face(input, surface.value(), loops.value());
         if (!face)
             return face.failure();
-        leave();
-        return OffsetResult{face.value(), report(input.value(), analysis.value(), surface.value(), loops.value())};
+        OffsetReport own = report(input, analysis.value(), surface.value(), loops.value());
+        return Made{std::move(surface).value(), std::move(loops).value(), face.value(), std::move(own)};
     }
 
-    Result<OffsetSurface> checked_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance)
+    Result<OffsetSurface> checked_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance,
+                                          const OffsetOptions &options)
     {
         if (const Result<bool> feasible = check_distance(analysis, input, distance); !feasible)
             return feasible.failure();
-        Result<OffsetSurface> made = offset_surface(analysis, input, distance, m_options);
+        Result<OffsetSurface> made = offset_surface(analysis, input, distance, options);
         if (!made)
             return made;
         if (const Result<bool> clear = check_meetings(input, analysis, made.value(), distance); !clear)
@@ -172,8 +260,36 @@ private:
         report.limits = feasible_range(analysis, input);
         report.loops = static_cast<int>(input.loops.size());
         report.edges = input.edge_count();
-        report.elapsed = m_elapsed;
+        report.faces = 1;
         return report;
+    }
+
+    //! Errors are the largest over the parts, limits the tightest; the surface is that of the largest part.
+    static OffsetReport joint_report(const InputFace &input, const std::vector<InputFace> &parts,
+                                     const std::vector<Made> &made)
+    {
+        const auto largest = std::max_element(
+            parts.begin(), parts.end(), [](const InputFace &a, const InputFace &b) { return a.diagonal < b.diagonal; });
+        OffsetReport joint = made[static_cast<std::size_t>(largest - parts.begin())].report;
+        for (const Made &part : made)
+            add_worse(part.report, joint);
+        joint.loops = static_cast<int>(input.loops.size());
+        joint.edges = input.edge_count();
+        joint.faces = static_cast<int>(made.size());
+        return joint;
+    }
+
+    static void add_worse(const OffsetReport &part, OffsetReport &joint)
+    {
+        for (const auto figure : {&OffsetReport::certified_error, &OffsetReport::sampled_error,
+                                  &OffsetReport::edge_error, &OffsetReport::sampled_edge_error})
+        {
+            std::optional<double> &worst = joint.*figure;
+            const std::optional<double> &own = part.*figure;
+            worst = worst && own ? std::optional<double>(std::max(*worst, *own)) : std::nullopt;
+        }
+        if (part.limits && joint.limits)
+            joint.limits = tightest(*part.limits, *joint.limits);
     }
 
     const OffsetOptions &m_options;
@@ -183,6 +299,8 @@ private:
 };
 
 } // namespace
+
+TopoDS_Face OffsetResult::face() const { return TopoDS::Face(shape); }
 
 Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options)
 {

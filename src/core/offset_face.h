@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //! \file
-//! The entry point: one trimmed face in, its offset face and report out.
+//! The entry point: one trimmed face in, its offset and report out.
 #pragma once
 
 #include "base/options.h"
@@ -8,6 +8,7 @@
 #include "report/offset_report.h"
 
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 
 namespace laminate_offset
 {
@@ -15,8 +16,15 @@ namespace laminate_offset
 //! A finished offset.
 struct OffsetResult
 {
-    TopoDS_Face face;    //!< same loops, orientation and edge order as the base; passes BRepCheck_Analyzer
+    //! A face with the loops, orientation and edge order of the base; it passes BRepCheck_Analyzer. Where creases
+    //! tear the base's offset by more than half of the tolerance: a shell of one such face for every part of the base
+    //! between its creases. Each passes the check; the shell as a whole is not connected, since its parts do not
+    //! share edges.
+    TopoDS_Shape shape;
     OffsetReport report; //!< status Ok
+
+    //! The face. \pre report.faces is 1.
+    [[nodiscard]] TopoDS_Face face() const;
 };
 
 //! Offsets a trimmed face by options.distance along its outward normal.

@@ -38,8 +38,8 @@ struct OffsetLimits
 //! out it gives away more, never less. A radius above a hundred times the face's size is of no interest and
 //! may be understated.
 //!
-//! A crease that tears the offset at one percent of the face's size is refused as KinkedSurface: then no
-//! distance is feasible.
+//! A face with a crease that tears its offset at one percent of the face's size has the limits that all parts
+//! between its creases permit.
 //! Refusals: those of the stages Input and Analysis.
 Result<OffsetLimits> offset_limits(const TopoDS_Shape &shape);
 

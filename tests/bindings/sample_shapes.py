@@ -35,6 +35,14 @@ def bspline_face(size: float = 100.0, count: int = 7) -> Any:
     return surface.toShape()
 
 
+def roof_face(half_width: float = 20.0, length: float = 50.0) -> Any:
+    """Two planes as one B-spline face with a ridge of 90 degrees along x; its outward normal points upwards."""
+    roof = Part.BSplineSurface()
+    poles = [[Vector(x, y, -abs(y)) for y in (-half_width, 0.0, half_width)] for x in (0.0, length)]
+    roof.buildFromPolesMultsKnots(poles, [2, 2], [2, 1, 2], [0.0, 1.0], [0.0, 0.5, 1.0], False, False, 1, 1)
+    return roof.toShape()
+
+
 def trimmed_bspline_face() -> Any:
     """The doubly curved face with a round hole through it: two loops."""
     drill = Part.makeCylinder(15.0, 200.0, Vector(50.0, 50.0, -100.0))

@@ -69,6 +69,21 @@ def test_every_format_in_and_out(command_line, source: str, target: str, tmp_pat
     assert sample_shapes.deviation(read, face, -2.0) <= 1.01e-3
 
 
+@pytest.mark.parametrize("choice", [["--face", 1], ["--face", "all"]])
+@pytest.mark.parametrize("target", ["out.step", "out.brep", "out.FCStd", "out.iges"])
+def test_a_creased_face_is_written_as_its_parts(command_line, target: str, choice: list, tmp_path: Path) -> None:
+    files.write_shape(sample_shapes.roof_face(), str(tmp_path / "roof.brep"), "roof")
+    run = command_line("offset", "roof.brep", *choice, "--distance", 2, "-o", target, "--report", "report.json")
+    assert run.returncode == 0, run.stderr
+    assert "2 faces along creases" in run.stdout
+    faces = files.read_faces(str(tmp_path / target))
+    assert len(faces) == 2 and all(face.isValid() for face in faces)
+    assert sum(face.Area for face in faces) == pytest.approx(2 * 50.0 * 20.0 * 2.0**0.5, rel=1e-4)
+    content = json.loads((tmp_path / "report.json").read_text())
+    report = content[0] if choice[-1] == "all" else content
+    assert (report["faces"], report["crease"]) == (2, "gap") and report["gap"] > 2.8
+
+
 def test_the_default_output_is_named_after_the_input(command_line, tmp_path: Path) -> None:
     (tmp_path / "models").mkdir()
     files.write_shape(sample_shapes.sphere_face(), str(tmp_path / "models" / "ball.igs"), "ball")

@@ -44,6 +44,9 @@ REPORT_FIELDS = [
     "limits",
     "loops",
     "edges",
+    "faces",
+    "gap",
+    "crease",
     "elapsed_ms",
 ]
 
@@ -227,3 +230,22 @@ def test_distance_zero_gives_the_face_itself() -> None:
     result = lo.offset_face(base, 0.0)
     assert sample_shapes.deviation(base, result.face, 0.0) <= TOLERANCE
     assert result.face.Area == pytest.approx(base.Area, rel=1e-6)
+
+
+@pytest.mark.parametrize("distance, crease", [(3.0, "gap"), (-3.0, "overlap")])
+def test_a_creased_face_becomes_a_shell(distance: float, crease: str) -> None:
+    result = lo.offset_face(sample_shapes.roof_face(), distance)
+    assert isinstance(result.shape, Part.Shell) and result.face is result.shape
+    assert len(result.shape.Faces) == 2 and all(face.isValid() for face in result.shape.Faces)
+    report = result.report
+    assert (report.faces, report.crease, report.loops, report.edges) == (2, crease, 1, 4)
+    assert report.gap == pytest.approx(abs(distance) * math.sqrt(2.0), rel=0.01)
+    assert report.certified_error <= TOLERANCE and "2 faces along creases" in report.summary()
+    middle = result.shape.BoundBox.Center
+    assert middle.z == pytest.approx(-10.0 + distance / math.sqrt(2.0), abs=abs(distance) * 0.5 + TOLERANCE)
+
+
+def test_a_smooth_face_stays_a_face() -> None:
+    result = lo.offset_face(sample_shapes.bspline_face(), 2.0)
+    assert isinstance(result.shape, Part.Face) and result.face is result.shape
+    assert (result.report.faces, result.report.gap, result.report.crease) == (1, None, None)

@@ -127,7 +127,7 @@ TEST(AnalyticForm, MakesTheOffsetAnalytic)
                 ASSERT_TRUE(report.certified_error && report.edge_error);
                 EXPECT_LE(*report.certified_error, 1e-9);
                 EXPECT_LE(*report.edge_error, 1e-4);
-                const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+                const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
                 const gp_Vec2d shift = analytic_form(read_face(face).value())->shift;
                 const Deviation found = deviation(d.surface, made, d.part, distance, 21, shift);
                 EXPECT_LE(found.largest, *report.certified_error);

@@ -70,12 +70,12 @@ void expect_one_offset(const TopoDS_Face &face, const Handle(Geom_Surface) & bas
     EXPECT_LE(*report.certified_error, tolerance);
     EXPECT_LE(*report.edge_error, tolerance);
     const double along = face.Orientation() == TopAbs_REVERSED ? -distance : distance;
-    const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+    const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
     EXPECT_FALSE(made->IsKind(STANDARD_TYPE(Geom_OffsetSurface)));
     const Deviation d = deviation(basis, made, r, base_distance + along, 41);
     EXPECT_GT(d.points, 1000);
     EXPECT_LE(d.largest, *report.certified_error);
-    EXPECT_TRUE(confirms(measure_offset(face, result.value().face, distance, {25, 25}), tolerance + 1e-6));
+    EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), distance, {25, 25}), tolerance + 1e-6));
 }
 
 const Rectangle unit{0.0, 1.0, 0.0, 1.0};
@@ -130,7 +130,7 @@ TEST(BaseDistance, ThereAndBackIsTheBasisItself)
     const auto result = offset(face_on(off(basis, 7.0), unit), -7.0, 1e-6);
     ASSERT_TRUE(result.ok()) << why(result);
     EXPECT_LE(*result.value().report.certified_error, 1e-10);
-    const auto made = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(result.value().face));
+    const auto made = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(result.value().face()));
     ASSERT_FALSE(made.IsNull());
     EXPECT_EQ(made->NbUPoles() * made->NbVPoles(), 56);
     EXPECT_LE(deviation(basis, made, unit, 0.0, 41).largest, 1e-11);
@@ -189,7 +189,7 @@ TEST(BaseDistance, OnAWholeBallWithPolesIsRead)
     const auto result = offset(bigger, -5.0);
     ASSERT_TRUE(result.ok()) << why(result);
     const Rectangle between_poles{0.0, 2.0 * M_PI, -1.57, 1.57};
-    const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+    const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
     EXPECT_LE(deviation(ball, made, between_poles, -2.0, 41).largest, 1e-3);
 }
 
@@ -216,10 +216,10 @@ TEST(DistanceZero, GivesTheBaseItself)
         EXPECT_LE(*result.value().report.certified_error, 1e-10);
         Rectangle r;
         BRepTools::UVBounds(face, r.u0, r.u1, r.v0, r.v1);
-        const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+        const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
         EXPECT_LE(deviation(BRep_Tool::Surface(face), made, r, 0.0, 41).largest, 1e-11);
         EXPECT_NE(made, BRep_Tool::Surface(face)) << "a copy, so that nothing is shared with the base";
-        EXPECT_TRUE(confirms(measure_offset(face, result.value().face, 0.0, {25, 25}), 1e-6));
+        EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), 0.0, {25, 25}), 1e-6));
     }
 }
 
@@ -238,11 +238,11 @@ TEST(DistanceBelowTheTolerance, IsStillAnOffsetWithinIt)
                 const OffsetReport &report = result.value().report;
                 ASSERT_TRUE(report.certified_error.has_value());
                 EXPECT_LE(*report.certified_error, tolerance);
-                EXPECT_TRUE(confirms(measure_offset(face, result.value().face, distance, {25, 25}), tolerance));
+                EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), distance, {25, 25}), tolerance));
                 Rectangle r;
                 BRepTools::UVBounds(face, r.u0, r.u1, r.v0, r.v1);
                 const Handle(Geom_Surface) base = BRep_Tool::Surface(face),
-                                           made = BRep_Tool::Surface(result.value().face);
+                                           made = BRep_Tool::Surface(result.value().face());
                 const double found = deviation(base, made, r, distance, 41).largest;
                 EXPECT_LE(found, *report.certified_error);
                 base_kept += !report.sampled_error && report.surface->type == "bspline" ? 1 : 0;

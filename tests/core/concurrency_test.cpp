@@ -38,7 +38,7 @@ std::string outcome(const Job &job)
     if (!result.ok())
         return std::string(name(result.failure().status)) + ": " + result.failure().message;
     std::ostringstream text;
-    BRepTools::Write(result.value().face, text);
+    BRepTools::Write(result.value().face(), text);
     return text.str();
 }
 

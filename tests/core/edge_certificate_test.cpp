@@ -169,7 +169,7 @@ void expect_proven_edges(const TopoDS_Face &face, double distance, int count = 5
     EXPECT_LE(*report.edge_error, tolerance);
     EXPECT_GE(*report.edge_error, *report.certified_error);
     EXPECT_GE(*report.edge_error, *report.sampled_edge_error);
-    const SeenEdges edges = look_at_edges(face, made.value().face, distance, count);
+    const SeenEdges edges = look_at_edges(face, made.value().face(), distance, count);
     EXPECT_GT(edges.points, count);
     EXPECT_LE(edges.from_exact, *report.edge_error);
     EXPECT_LE(edges.untold, 0.0);
@@ -321,7 +321,7 @@ TEST(EdgeCertificate, OfRealFaces)
             if (!report.edge_error)
                 continue;
             ++proven;
-            const SeenEdges edges = look_at_edges(faces[i], result.value().face, options.distance, 200);
+            const SeenEdges edges = look_at_edges(faces[i], result.value().face(), options.distance, 200);
             EXPECT_LE(edges.from_exact, *report.edge_error);
             EXPECT_LE(edges.untold, 0.0);
         }

@@ -113,7 +113,7 @@ void expect_limit(const TopoDS_Face &face, double limit)
     options.distance = 0.999 * limit;
     const Result<OffsetResult> inside = offset_face(face, options);
     ASSERT_TRUE(inside.ok()) << inside.failure().message;
-    EXPECT_TRUE(confirms(measure_offset(face, inside.value().face, options.distance, {20, 20}), 1e-6));
+    EXPECT_TRUE(confirms(measure_offset(face, inside.value().face(), options.distance, {20, 20}), 1e-6));
     expect_folded(face, 1.001 * limit, limit);
 }
 
@@ -165,7 +165,7 @@ TEST(ExactOffset, TheWholeFaceIsRightInAllPlaces)
                     options.distance = distance;
                     const Result<OffsetResult> result = offset_face(face, options);
                     ASSERT_TRUE(result.ok()) << result.failure().message;
-                    EXPECT_TRUE(confirms(measure_offset(face, result.value().face, distance, {20, 20}), 1e-6));
+                    EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), distance, {20, 20}), 1e-6));
                     EXPECT_EQ(result.value().report.surface->type, kind.type);
                     ++done;
                 }
@@ -250,7 +250,7 @@ TEST(ExactOffset, AConeWhoseReferenceCircleTurnsInsideOutShiftsItsParameters)
     const TopoDS_Face face = face_on(cone, part);
     const Result<OffsetResult> result = offset_face(face, options);
     ASSERT_TRUE(result.ok()) << result.failure().message;
-    EXPECT_TRUE(confirms(measure_offset(face, result.value().face, -10.0, {30, 30}), 1e-6));
+    EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), -10.0, {30, 30}), 1e-6));
 }
 
 TEST(ExactOffset, AConeUpToItsApexGoesOutwardsOnly)
@@ -265,7 +265,7 @@ TEST(ExactOffset, AConeUpToItsApexGoesOutwardsOnly)
         options.distance = 0.5;
         const Result<OffsetResult> outwards = offset_face(tip, options);
         ASSERT_TRUE(outwards.ok()) << outwards.failure().message;
-        EXPECT_TRUE(confirms(measure_offset(tip, outwards.value().face, 0.5, {30, 30}), 1e-6));
+        EXPECT_TRUE(confirms(measure_offset(tip, outwards.value().face(), 0.5, {30, 30}), 1e-6));
     }
 }
 
@@ -300,9 +300,9 @@ TEST(ExactOffset, ThereAndBackIsTheBase)
                 const auto there = offset_face(base, options);
                 ASSERT_TRUE(there.ok()) << there.failure().message;
                 options.distance = -distance;
-                const auto back = offset_face(there.value().face, options);
+                const auto back = offset_face(there.value().face(), options);
                 ASSERT_TRUE(back.ok()) << back.failure().message;
-                const Handle(Geom_Surface) again = BRep_Tool::Surface(back.value().face);
+                const Handle(Geom_Surface) again = BRep_Tool::Surface(back.value().face());
                 EXPECT_LT(deviation(kind.surface, again, kind.part, 0.0, 15).largest, 1e-10) << kind.type;
                 ++done;
             }

@@ -46,7 +46,7 @@ int expect_fitted(const TopoDS_Face &face, double distance, double tolerance, in
     EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.failure().message);
     if (!result.ok())
         return 0;
-    const Handle(Geom_BSplineSurface) made = spline_of(result.value().face);
+    const Handle(Geom_BSplineSurface) made = spline_of(result.value().face());
     EXPECT_FALSE(made.IsNull());
     Rectangle box;
     BRepTools::UVBounds(face, box.u0, box.u1, box.v0, box.v1);
@@ -179,9 +179,9 @@ TEST(FittedOffset, KeepsToTheHighestDegreeAllowed)
     {
         const auto result = offset(dome(), 10.0, 1e-5, degree);
         ASSERT_TRUE(result.ok()) << degree;
-        EXPECT_LE(spline_of(result.value().face)->UDegree(), degree);
-        EXPECT_LE(spline_of(result.value().face)->VDegree(), degree);
-        EXPECT_EQ(result.value().report.surface->degree_u, spline_of(result.value().face)->UDegree());
+        EXPECT_LE(spline_of(result.value().face())->UDegree(), degree);
+        EXPECT_LE(spline_of(result.value().face())->VDegree(), degree);
+        EXPECT_EQ(result.value().report.surface->degree_u, spline_of(result.value().face())->UDegree());
         const int poles = expect_fitted(dome(), 10.0, 1e-5, degree);
         EXPECT_LE(poles, before * 1.3) << "more freedom should not cost poles";
         before = poles;
@@ -195,7 +195,7 @@ TEST(FittedOffset, OfAPeriodicTube)
     {
         EXPECT_GT(expect_fitted(tube, distance, 1e-3), 0);
         const auto result = offset(tube, distance, 1e-3);
-        const auto made = spline_of(result.value().face);
+        const auto made = spline_of(result.value().face());
         double u0, u1, v0, v1;
         made->Bounds(u0, u1, v0, v1);
         for (int j = 0; j <= 20; ++j)
@@ -245,7 +245,7 @@ TEST(FittedOffset, JustInsideTheRadiusOfCurvatureIsMade)
             const auto result = offset(face, distance, 1e-2);
             ASSERT_TRUE(result.ok()) << result.failure().message;
             const Deviation d =
-                deviation(BRep_Tool::Surface(face), BRep_Tool::Surface(result.value().face), {}, distance, 60);
+                deviation(BRep_Tool::Surface(face), BRep_Tool::Surface(result.value().face()), {}, distance, 60);
             EXPECT_LE(d.largest, 1e-2);
         }
     }
@@ -305,7 +305,7 @@ TEST(FittedOffset, IsTheSameEachTime)
 {
     const auto once = offset(dome(), 7.0, 1e-4), again = offset(dome(), 7.0, 1e-4);
     ASSERT_TRUE(once.ok() && again.ok());
-    const auto a = spline_of(once.value().face), b = spline_of(again.value().face);
+    const auto a = spline_of(once.value().face()), b = spline_of(again.value().face());
     ASSERT_EQ(a->NbUPoles(), b->NbUPoles());
     ASSERT_EQ(a->NbVPoles(), b->NbVPoles());
     for (int i = 1; i <= a->NbUPoles(); ++i)
@@ -323,7 +323,7 @@ TEST(FittedOffset, OfSplineSpheresWithAPole)
             const TopoDS_Face face = whole(surface);
             const auto result = offset(face, distance, 1e-3);
             ASSERT_TRUE(result.ok()) << result.failure().message;
-            const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face);
+            const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
             double u0, u1, v0, v1, worst = 0.0;
             BRepTools::UVBounds(face, u0, u1, v0, v1);
             for (int i = 0; i <= 60; ++i)

@@ -238,7 +238,7 @@ TEST(HiddenShapes, MakeWholeFacesWithNoMorePolesThanTheBase)
                 SCOPED_TRACE(testing::Message() << shape.name << " at " << distance);
                 const auto result = offset(face, distance, 1e-4);
                 ASSERT_TRUE(result.ok()) << why(result);
-                const OracleReport measured = measure_offset(face, result.value().face, distance, {25, 25});
+                const OracleReport measured = measure_offset(face, result.value().face(), distance, {25, 25});
                 if (shape.name == "whole sphere") // the oracle has no normals for edges that end at its poles
                 {
                     EXPECT_LE(measured.parametric_error, 1e-4);
@@ -295,7 +295,7 @@ TEST(HiddenShapes, ALineExtrudedAskewIsAPlane)
     const TopoDS_Face face = BRepBuilderAPI_MakeFace(skew, 0, 10, -4, 8, 1e-7);
     const auto result = offset(face, 2.0, 1e-6);
     ASSERT_TRUE(result.ok()) << why(result);
-    EXPECT_TRUE(confirms(measure_offset(face, result.value().face, 2.0, {20, 20}), 1e-6));
+    EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), 2.0, {20, 20}), 1e-6));
     EXPECT_EQ(result.value().report.surface->poles_u * result.value().report.surface->poles_v, 4);
 }
 

@@ -42,9 +42,9 @@ void expect_keys(const Json &json, const std::set<std::string> &wanted)
         EXPECT_TRUE(present.count(key)) << "no key " << key;
 }
 
-const std::set<std::string> fixed_names{"status",   "stage",     "message",         "where",         "method",
-                                        "distance", "tolerance", "certified_error", "sampled_error", "edge_error",
-                                        "surface",  "limits",    "loops",           "edges",         "elapsed_ms"};
+const std::set<std::string> fixed_names{
+    "status",     "stage",   "message", "where", "method", "distance", "tolerance", "certified_error", "sampled_error",
+    "edge_error", "surface", "limits",  "loops", "edges",  "faces",    "gap",       "crease",          "elapsed_ms"};
 
 Json report_of(const TopoDS_Shape &shape, double distance)
 {

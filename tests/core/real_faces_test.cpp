@@ -53,11 +53,11 @@ void expect_offset(const TopoDS_Face &face, double distance, int loops, int edge
     const Result<OffsetResult> result = offset(face, distance);
     ASSERT_TRUE(result.ok()) << why(result);
     const OffsetResult &made = result.value();
-    const OracleReport report = measure_offset(face, made.face, distance, how);
+    const OracleReport report = measure_offset(face, made.face(), distance, how);
     EXPECT_TRUE(confirms(report, tolerance));
     EXPECT_EQ(report.loops, loops);
     EXPECT_EQ(report.edges, edges);
-    EXPECT_TRUE(is_spline_face(made.face));
+    EXPECT_TRUE(is_spline_face(made.face()));
     EXPECT_EQ(made.report.loops, loops);
     EXPECT_EQ(made.report.edges, edges);
     EXPECT_EQ(made.report.status, Status::Ok);
@@ -115,7 +115,7 @@ void judge(const TopoDS_Face &face, double distance, Outcome &outcome)
     if (result.ok())
     {
         ++outcome.made;
-        const OracleReport seen = measure_offset(face, result.value().face, distance, {40, 25});
+        const OracleReport seen = measure_offset(face, result.value().face(), distance, {40, 25});
         EXPECT_TRUE(confirms(seen, tolerance));
         outcome.proven += expect_bounds_hold(result.value().report, seen);
         return;
@@ -240,7 +240,7 @@ TEST(GeneratedFaces, ReversingTheFaceEqualsTurningTheDistance)
     const TopoDS_Face panel = panel_with_hole();
     const auto outward = offset(reversed(panel), 7.0);
     ASSERT_TRUE(outward.ok()) << why(outward);
-    const OracleReport same_place = measure_offset(panel, reversed(outward.value().face), -7.0, {60, 60});
+    const OracleReport same_place = measure_offset(panel, reversed(outward.value().face()), -7.0, {60, 60});
     EXPECT_TRUE(confirms(same_place, tolerance));
 }
 

@@ -4,7 +4,9 @@
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
+#include <laminate_offset/analysis/creases.h>
 #include <laminate_offset/analysis/curvature.h>
+#include <laminate_offset/analysis/surface_analysis.h>
 #include <laminate_offset/offset_face.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -52,10 +54,10 @@ void expect_limit(const std::optional<double> &limit, double expected)
     EXPECT_GE(*limit / expected, 1.0 - given_away) << *limit << " falls short of " << expected;
 }
 
-bool is_kinked(const Result<OffsetResult> &result)
+bool is_torn(const Result<OffsetResult> &result)
 {
-    return !result.ok() && result.failure().status == Status::KinkedSurface &&
-           result.failure().stage == Stage::Analysis;
+    EXPECT_TRUE(result.ok()) << why(result);
+    return result.ok() && result.value().report.faces == 2;
 }
 
 std::pair<double, double> curvatures(const Handle(Geom_Surface) & surface, const gp_Pnt2d &uv)
@@ -197,13 +199,14 @@ TEST(FeasibleRange, IgnoresWhatTheLoopsCutAway)
     EXPECT_GT(*part.positive, 400.0);
 }
 
-TEST(Creases, AKinkIsRefusedAtAPlaceOnTheKink)
+TEST(Creases, AKinkIsFoundWhereItIs)
 {
     for (const double degrees : {0.5, 5.0, 60.0, 150.0})
     {
         SCOPED_TRACE(degrees);
         const TopoDS_Face face = located(BRepBuilderAPI_MakeFace(roof(degrees * M_PI / 180.0), 1e-7));
-        const Result<OffsetResult> result = offset(face, 2.0);
+        const InputFace input = read_face(face).value();
+        const Result<SurfaceAnalysis> result = analyse(input, 2.0, 1e-3);
         ASSERT_FALSE(result.ok());
         EXPECT_EQ(result.failure().status, Status::KinkedSurface) << result.failure().message;
         EXPECT_EQ(result.failure().stage, Stage::Analysis);
@@ -212,6 +215,11 @@ TEST(Creases, AKinkIsRefusedAtAPlaceOnTheKink)
         const gp_Pnt local = result.failure().where->point.Transformed(face.Location().Transformation().Inverted());
         EXPECT_NEAR(local.Y(), 0.0, 1e-9);
         EXPECT_NEAR(local.Z(), 0.0, 1e-9);
+        const auto creases = find_creases(base_beside_creases(input, {2.0, 1e-3}), LoopRegion(input), 2.0, 1e-3);
+        ASSERT_EQ(creases.size(), 1u);
+        EXPECT_FALSE(creases.front().constant_u);
+        EXPECT_NEAR(creases.front().angle, degrees * M_PI / 180.0, 1e-7);
+        EXPECT_NEAR(creases.front().tear, 4.0 * std::sin(degrees * M_PI / 360.0), 1e-6);
     }
 }
 
@@ -221,8 +229,8 @@ TEST(Creases, ATearBelowTheToleranceIsNone)
     const TopoDS_Face face = BRepBuilderAPI_MakeFace(roof(1e-5), 1e-7);
     for (const double side : {1.0, -1.0})
     {
-        EXPECT_FALSE(is_kinked(offset(face, side * 49.0)));
-        EXPECT_TRUE(is_kinked(offset(face, side * 51.0)));
+        EXPECT_FALSE(is_torn(offset(face, side * 49.0)));
+        EXPECT_TRUE(is_torn(offset(face, side * 51.0)));
     }
 }
 
@@ -230,13 +238,13 @@ TEST(Creases, AtDistanceZeroNothingTears)
 {
     const TopoDS_Face face = BRepBuilderAPI_MakeFace(roof(1.0), 1e-7);
     EXPECT_TRUE(offset(face, 0.0, 1e-6).ok());
-    EXPECT_TRUE(is_kinked(offset(face, 1e-5, 1e-6)));
+    EXPECT_TRUE(is_torn(offset(face, 1e-5, 1e-6)));
 }
 
 TEST(Creases, ACreaseOutsideTheLoopsDoesNotMatter)
 {
     EXPECT_TRUE(offset(BRepBuilderAPI_MakeFace(roof(1.0), 0.0, 1.0, 0.0, 0.4, 1e-7).Face(), 5.0).ok());
-    EXPECT_TRUE(is_kinked(offset(BRepBuilderAPI_MakeFace(roof(1.0), 0.0, 1.0, 0.0, 0.6, 1e-7).Face(), 5.0)));
+    EXPECT_TRUE(is_torn(offset(BRepBuilderAPI_MakeFace(roof(1.0), 0.0, 1.0, 0.0, 0.6, 1e-7).Face(), 5.0)));
 }
 
 TEST(Creases, AC0KnotWithoutAJumpOfTheNormalIsNoCrease)

@@ -264,7 +264,7 @@ void expect_proven(const TopoDS_Face &face, double distance, double tolerance)
     Rectangle box;
     BRepTools::UVBounds(face, box.u0, box.u1, box.v0, box.v1);
     const double along = face.Orientation() == TopAbs_REVERSED ? -distance : distance;
-    const Deviation d = deviation(BRep_Tool::Surface(face), BRep_Tool::Surface(result.value().face), box, along, 53);
+    const Deviation d = deviation(BRep_Tool::Surface(face), BRep_Tool::Surface(result.value().face()), box, along, 53);
     EXPECT_GT(d.points, 53 * 53 / 2);
     EXPECT_GE(*report.certified_error * (1.0 + 1e-9) + 1e-13, d.largest) << "the proven bound is none";
     EXPECT_GT(d.least_cosine, 0.99);
@@ -426,7 +426,7 @@ TEST(SweptOffset, IsConfirmedByTheOracleInEveryPosition)
             SCOPED_TRACE(all[i].name);
             const auto result = offset(face, 1.5, 1e-3);
             ASSERT_TRUE(result.ok()) << why(result);
-            const OracleReport report = measure_offset(face, result.value().face, 1.5, {40, 40});
+            const OracleReport report = measure_offset(face, result.value().face(), 1.5, {40, 40});
             EXPECT_TRUE(confirms(report, 1e-3)) << to_text(report);
         }
 }

@@ -136,7 +136,7 @@ void expect_mirrored(const TopoDS_Face &base, double distance)
     options.tolerance = tolerance;
     const Result<OffsetResult> result = offset_face(base, options);
     ASSERT_TRUE(result.ok()) << name(result.failure().status) << ": " << result.failure().message;
-    const TopoDS_Face &made = result.value().face;
+    const TopoDS_Face made = result.value().face();
     const OracleReport report = measure_offset(base, made, distance, {35, 60});
     EXPECT_TRUE(confirms(report, tolerance)) << to_text(report);
     EXPECT_TRUE(BRepCheck_Analyzer(made).IsValid());
@@ -305,7 +305,7 @@ TEST(TrimmedOffset, OfAFlatFaceKeepsItsCurvesAsTheyAre)
     expect_mirrored(plate, 7.0);
     OffsetOptions options;
     options.distance = 7.0;
-    const TopoDS_Face made = offset_face(plate, options).value().face;
+    const TopoDS_Face made = offset_face(plate, options).value().face();
     const auto before = distinct_edges(plate), after = distinct_edges(made);
     ASSERT_EQ(before.size(), 5u);
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -331,7 +331,7 @@ TEST(TrimmedOffset, OfAFaceUnderAScaledOrMirroredLocation)
             options.distance = distance;
             const Result<OffsetResult> result = offset_face(face, options);
             ASSERT_TRUE(result.ok()) << result.failure().message;
-            const OracleReport report = measure_offset(face, result.value().face, distance, {35, 40});
+            const OracleReport report = measure_offset(face, result.value().face(), distance, {35, 40});
             EXPECT_LE(std::max(report.surface_error, report.edge_error), tolerance) << to_text(report);
             EXPECT_GT(report.least_cosine, 0.999) << "the side is wrong";
             EXPECT_TRUE(report.valid);
@@ -353,9 +353,9 @@ TEST(TrimmedOffset, ThereAndBackIsTheBaseWithinTwoTolerances)
         const auto there = offset_face(base, options);
         ASSERT_TRUE(there.ok()) << there.failure().message;
         options.distance = -options.distance;
-        const auto back = offset_face(there.value().face, options);
+        const auto back = offset_face(there.value().face(), options);
         ASSERT_TRUE(back.ok()) << back.failure().message;
-        const OracleReport report = measure_offset(base, back.value().face, 0.0, {40, 60});
+        const OracleReport report = measure_offset(base, back.value().face(), 0.0, {40, 60});
         // as a set of points; along the surface, the ripple of the first result's normal may move a point a little more
         EXPECT_LE(report.surface_error, 2.0 * tolerance) << to_text(report);
         EXPECT_LE(report.converse_error, 2.0 * tolerance) << to_text(report);

@@ -62,6 +62,22 @@ def test_max_degree_and_tolerance_reach_the_engine(doc):
     assert offset.Status == "ok" and offset.Degree <= 3
 
 
+def test_a_creased_face_becomes_a_shell_where_the_base_stands(doc):
+    roof = Part.BSplineSurface()
+    poles = [[App.Vector(x, y, -abs(y)) for y in (-20, 0, 20)] for x in (0, 50)]
+    roof.buildFromPolesMultsKnots(poles, [2, 2], [2, 1, 2], [0, 1], [0, 0.5, 1], False, False, 1, 1)
+    base = doc.addObject("Part::Feature", "Roof")
+    base.Shape = roof.toShape()
+    offset = make_offset_face(base, "Face1", 2)
+    assert offset.Status == "ok" and offset.Shape.ShapeType == "Shell"
+    assert len(offset.Shape.Faces) == 2 and all(face.isValid() for face in offset.Shape.Faces)
+    assert "2 faces along creases" in offset.Message and not math.isnan(offset.CertifiedError.Value)
+    top = offset.Shape.BoundBox.ZMax
+    base.Placement.Base = App.Vector(0, 0, 100)
+    doc.recompute()
+    assert offset.Status == "ok" and offset.Shape.BoundBox.ZMax == pytest.approx(top + 100)
+
+
 def test_offset_follows_its_base(doc, ball):
     offset = make_offset_face(ball, "Face1", 2)
     ball.Radius = 25

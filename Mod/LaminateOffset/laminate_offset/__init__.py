@@ -3,7 +3,7 @@
 
     import laminate_offset as lo
     result = lo.offset_face(face, 5.0)      # mm, along the face's outward normal
-    result.face                             # Part.Face
+    result.face                             # Part.Face; a Part.Shell where the face has creases
     result.report.to_json()
 
 Lengths are in mm. A distance is signed along the face's outward normal, the face's orientation included: reversing

@@ -22,12 +22,19 @@ class OffsetResult:
     """A finished offset.
 
     Attributes:
-        face: the new Part.Face, with the loops, the orientation and the edge order of the base.
+        shape: the new Part.Face, with the loops, the orientation and the edge order of the base. Where creases tear
+            the offset, a Part.Shell of one face for each part of the base between them; its faces are valid and do
+            not share edges along the creases, which report.gap and report.crease describe.
         report: the OffsetReport; its status is "ok".
     """
 
-    face: "Part.Face"
+    shape: "Union[Part.Face, Part.Shell]"
     report: OffsetReport
+
+    @property
+    def face(self) -> "Union[Part.Face, Part.Shell]":
+        """The same object as shape: a Part.Face, or a Part.Shell where the base is creased."""
+        return self.shape
 
 
 class OffsetLimits:
@@ -88,7 +95,7 @@ def offset_limits(face: "Part.Face") -> OffsetLimits:
         OffsetLimits with .negative and .positive in mm along the face's outward normal.
 
     Raises:
-        OffsetError: the face was refused, e.g. for a crease at which no distance works.
+        OffsetError: the face was refused; it says why and where.
         TypeError: face is not a Part shape.
     """
     return OffsetLimits(json.loads(_core.offset_limits(face)))
@@ -119,14 +126,15 @@ def offset_face(
             the computation and is raised again here.
 
     Returns:
-        OffsetResult with .face (a true B-spline or an exact analytic surface) and .report.
+        OffsetResult with .face (a true B-spline or an exact analytic surface; .shape is the same object) and .report.
+        Where the base has creases, that is a Part.Shell with a face for each part between them.
 
     Raises:
         OffsetError: the face was refused; says why, where on the face, and which distances in mm would work.
         ValueError: an argument is out of its range or has the wrong unit.
         TypeError: face is not a Part shape.
     """
-    new_face, report = _core.offset_face(
+    shape, report = _core.offset_face(
         face,
         _millimetres(distance, "distance"),
         _millimetres(tolerance, "tolerance"),
@@ -135,7 +143,7 @@ def offset_face(
         max_degree,
         progress,
     )
-    return OffsetResult(new_face, OffsetReport(report))
+    return OffsetResult(shape, OffsetReport(report))
 
 
 def _millimetres(length: Any, name: str) -> float:

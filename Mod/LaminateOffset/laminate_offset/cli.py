@@ -239,7 +239,7 @@ def _offset_each(
         for done, (number, face) in enumerate(chosen):
             try:
                 result = _offset_one(face, arguments, bar.progress_after(done))
-                faces.append(result.face)
+                faces.append(result.shape)
                 report = result.report
                 bar.write(f"face {number}: {report.summary()}", out)
             except OffsetError as refusal:

@@ -52,6 +52,8 @@ def summary(report: Mapping[str, Any]) -> str:
     """One line on one finished offset face, from its report."""
     surface = report["surface"]
     parts = [surface_type(surface)]
+    if report.get("faces", 1) > 1:
+        parts.append(f"{report['faces']} faces along creases{_tear(report)}")
     for title, key in (("proven error", "certified_error"), ("sampled error", "sampled_error")):
         if report.get(key) is not None:
             parts.append(f"{title} {number(report[key])}")
@@ -62,6 +64,10 @@ def summary(report: Mapping[str, Any]) -> str:
     if feasible:
         parts.append(f"feasible {feasible}")
     return ", ".join(parts)
+
+
+def _tear(report: Mapping[str, Any]) -> str:
+    return "" if report.get("gap") is None else f", torn by up to {number(report['gap'])}"
 
 
 def surface_type(surface: Mapping[str, Any]) -> str:

@@ -3,7 +3,7 @@
 
 import copy
 import json
-from typing import Any, Dict, Iterator, Mapping
+from typing import Any, Dict, Iterator, List, Mapping
 
 
 class Fields(Mapping[str, Any]):
@@ -44,9 +44,14 @@ class OffsetReport(Fields):
     """What was done to one face, with measured and proven figures.
 
     Every field of the JSON format is an attribute: status, stage, message, where, method, distance, tolerance,
-    certified_error, sampled_error, edge_error, surface, limits, loops, edges, elapsed_ms. Lengths are in mm, times in
+    certified_error, sampled_error, edge_error, surface, limits, loops, edges, faces, gap, crease, elapsed_ms. Lengths are in mm, times in
     ms; distance and limits are signed along the base face's outward normal, its orientation included. A figure which
     was not computed is None.
+
+    A base with creases is torn into parts: faces is their number, gap a proven bound in mm of the distance between
+    two parts' edges along a crease, crease "gap", "overlap" or "both" for what they do there. For a single face, gap
+    and crease are None. Errors are the largest of the parts, limits the tightest, and surface is that of the largest
+    part; loops and edges are the base's.
     """
 
     def to_json(self) -> str:
@@ -62,7 +67,14 @@ class OffsetReport(Fields):
         """One line for a person: the outcome, and the size and error of the result."""
         if self.status != "ok":
             return f"refused ({self.status}, {self.stage}): {self.message}"
-        return f"ok, {self._surface_in_words()}, {self._error_in_words()}"
+        return ", ".join(["ok", self._surface_in_words(), *self._tear_in_words(), self._error_in_words()])
+
+    def _tear_in_words(self) -> List[str]:
+        if self._values.get("faces", 1) < 2:
+            return []
+        gap = self._values.get("gap")
+        width = "" if gap is None else f", torn by up to {gap:.3g} mm"
+        return [f"{self.faces} faces along creases{width}"]
 
     def _surface_in_words(self) -> str:
         surface = self.surface

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "loop_region.h"
 
+#include <algorithm>
+
 namespace laminate_offset
 {
 namespace
@@ -58,6 +60,22 @@ ParameterBox LoopRegion::bounds() const
         box.vmax = std::max(box.vmax, piece.box.vmax);
     }
     return box;
+}
+
+std::vector<double> LoopRegion::crossings(bool constant_u, double value) const
+{
+    std::vector<double> places;
+    for (const PcurvePiece &piece : m_pieces)
+    {
+        const double from = (constant_u ? piece.start.X() : piece.start.Y()) - value;
+        const double to = (constant_u ? piece.end.X() : piece.end.Y()) - value;
+        if ((from > 0.0) == (to > 0.0))
+            continue;
+        const gp_XY place = piece.start.XY() + from / (from - to) * (piece.end.XY() - piece.start.XY());
+        places.push_back(constant_u ? place.Y() : place.X());
+    }
+    std::sort(places.begin(), places.end());
+    return places;
 }
 
 std::vector<gp_Pnt2d> LoopRegion::boundary_points() const

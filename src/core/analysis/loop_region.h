@@ -28,6 +28,10 @@ public:
     //! A box around the loops.
     [[nodiscard]] ParameterBox bounds() const;
 
+    //! Where the line u = value (v = value unless constant_u) enters and leaves the loops: the running parameters in
+    //! increasing order, an even number of them. Where a loop runs along the line, either side may count.
+    [[nodiscard]] std::vector<double> crossings(bool constant_u, double value) const;
+
     //! Points on the loops, the ends of the pieces.
     [[nodiscard]] std::vector<gp_Pnt2d> boundary_points() const;
 

@@ -2,6 +2,7 @@
 #include "surface_analysis.h"
 
 #include "closed_limits.h"
+#include "creases.h"
 #include "curvature.h"
 #include "light_model.h"
 
@@ -16,9 +17,6 @@ namespace laminate_offset
 namespace
 {
 
-// A crease is judged from normals this far to both sides of the knot line (part of the box).
-constexpr double crease_step = 1e-8;
-constexpr int crease_probes = 33;
 // Curvature times the face's diagonal below which a face is flat: it is rounding, not shape.
 constexpr double flat_curvature = 1e-9;
 // A model that is flat is one of a flat base as long as its curvature is this many times as uncertain as rounding.
@@ -29,64 +27,6 @@ constexpr double limit_gap = 5e-3;
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {
     return {status, Stage::Analysis, std::move(message), input.place(uv), std::nullopt};
-}
-
-struct Crease
-{
-    double angle = 0.0; //!< [rad]
-    gp_Pnt2d uv;
-};
-
-//! The sharpest normal jump across one knot line, inside the loops.
-Crease sharpest(const BaseSurface &base, const LoopRegion &region, double parameter, bool along_u)
-{
-    const ParameterBox &box = base.box();
-    const double low = along_u ? box.vmin : box.umin;
-    const double high = along_u ? box.vmax : box.umax;
-    const double step = crease_step * (along_u ? box.umax - box.umin : box.vmax - box.vmin);
-    const std::vector<double> across{parameter - step, parameter + step};
-    std::vector<double> along;
-    for (int i = 0; i < crease_probes; ++i)
-        along.push_back(low + (high - low) * (i + 0.5) / crease_probes);
-    const std::vector<SurfaceJet> jets = along_u ? base.jets(across, along, 1) : base.jets(along, across, 1);
-    Crease worst;
-    for (std::size_t i = 0; i < along.size(); ++i)
-    {
-        const SurfaceJet &a = along_u ? jets[i] : jets[2 * i];
-        const SurfaceJet &b = along_u ? jets[along.size() + i] : jets[2 * i + 1];
-        const gp_Pnt2d uv = along_u ? gp_Pnt2d(parameter, along[i]) : gp_Pnt2d(along[i], parameter);
-        const auto before = base.unit_normal(a, uv.X(), uv.Y());
-        const auto after = base.unit_normal(b, uv.X(), uv.Y());
-        if (!before || !after || !region.contains(uv))
-            continue;
-        const double angle = std::atan2(before->cross(*after).norm(), before->dot(*after));
-        if (angle > worst.angle)
-            worst = {angle, uv};
-    }
-    return worst;
-}
-
-Result<bool> check_creases(const BaseSurface &base, const InputFace &input, const LoopRegion &region, double distance,
-                           double tolerance)
-{
-    Crease worst;
-    const auto look = [&](const std::vector<SmoothnessBreak> &breaks, bool along_u) {
-        for (const SmoothnessBreak &b : breaks)
-            if (b.continuity == 0)
-                if (const Crease crease = sharpest(base, region, b.parameter, along_u); crease.angle > worst.angle)
-                    worst = crease;
-    };
-    look(base.breaks_u(), true);
-    look(base.breaks_v(), false);
-    const double tear = 2.0 * std::abs(distance) * std::sin(0.5 * worst.angle);
-    if (tear <= 0.5 * tolerance)
-        return true;
-    return refusal_at(
-        Status::KinkedSurface,
-        fmt::format("The surface has a crease of {:.4g} degrees, which tears the offset by {:.4g} mm; split "
-                    "the face along the crease and offset the parts.",
-                    worst.angle * 180.0 / M_PI, tear),
-        input, worst.uv);
 }
 
 //! A bound of the model's curvatures becomes one of the base's.
@@ -131,11 +71,12 @@ Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &inp
 
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
-    const double farther = std::max(std::abs(distance), std::abs(input.base_distance));
-    SurfaceAnalysis analysis{BaseSurface(input.surface, fit_box(input), ModelDemand{farther, tolerance}),
-                             LoopRegion(input), std::nullopt, std::nullopt};
-    if (const auto smooth = check_creases(analysis.base, input, analysis.region, farther, tolerance); !smooth)
-        return smooth.failure();
+    const double farther = farther_distance(input, distance);
+    SurfaceAnalysis analysis{base_beside_creases(input, {farther, tolerance}), LoopRegion(input), std::nullopt,
+                             std::nullopt};
+    const std::vector<CreaseLine> creases = find_creases(analysis.base, analysis.region, farther, tolerance);
+    if (!creases.empty())
+        return creased_refusal(input, creases);
     if (const auto regular = check_base_distance(analysis, input); !regular)
         return regular.failure();
     return analysis;

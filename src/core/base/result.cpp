@@ -3,8 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace laminate_offset
 {
+
+FeasibleRange tightest(const FeasibleRange &a, const FeasibleRange &b)
+{
+    FeasibleRange range = a;
+    if (b.negative)
+        range.negative = std::max(*b.negative, range.negative.value_or(*b.negative));
+    if (b.positive)
+        range.positive = std::min(*b.positive, range.positive.value_or(*b.positive));
+    return range;
+}
 
 Failure kernel_failure(const Standard_Failure &error, Stage stage)
 {

@@ -36,6 +36,9 @@ struct FeasibleRange
     friend bool operator==(const FeasibleRange &, const FeasibleRange &) = default;
 };
 
+//! The distances that are feasible in both ranges.
+FeasibleRange tightest(const FeasibleRange &a, const FeasibleRange &b);
+
 //! A refusal: never silent, always with a status and a stage.
 struct Failure
 {

@@ -78,6 +78,9 @@ Json to_json(const OffsetReport &report)
     json["limits"] = limits_json(report.limits);
     json["loops"] = report.loops;
     json["edges"] = report.edges;
+    json["faces"] = report.faces;
+    json["gap"] = number(report.gap);
+    json["crease"] = report.crease ? Json(name(*report.crease)) : Json(nullptr);
     json["elapsed_ms"] = {{"total", report.elapsed.total}};
     for (const auto &[stage, milliseconds] : report.elapsed.stages)
         json["elapsed_ms"][std::string(name(stage))] = milliseconds;
@@ -97,6 +100,12 @@ std::string to_text(const OffsetReport &report)
     if (report.surface && report.surface->poles_u > 0)
         text += fmt::format(" {}x{} poles of degree {}x{}", report.surface->poles_u, report.surface->poles_v,
                             report.surface->degree_u, report.surface->degree_v);
+    if (report.faces > 1)
+        text += fmt::format(", {} faces torn along creases", report.faces);
+    if (report.gap)
+        text += fmt::format(" by up to {:.3g} mm", *report.gap);
+    if (report.crease)
+        text += fmt::format(" ({})", name(*report.crease));
     if (report.certified_error)
         text += fmt::format(", proven error {:.3g} mm", *report.certified_error);
     if (report.sampled_error)

@@ -3,6 +3,7 @@
 //! OffsetReport: what was done to one face, with measured and proven figures.
 #pragma once
 
+#include "../base/crease_kind.h"
 #include "../base/options.h"
 #include "../base/result.h"
 
@@ -16,7 +17,7 @@
 namespace laminate_offset
 {
 
-//! The result's underlying surface.
+//! The result's underlying surface; of several parts the one of the largest.
 struct SurfaceSummary
 {
     //! "plane", "cylinder", "cone", "sphere", "torus" or "bspline"; the copy of a base at distance 0 may also be a
@@ -36,7 +37,8 @@ struct Elapsed
     std::vector<std::pair<Stage, double>> stages;
 };
 
-//! One face's report; to_json gives the documented format.
+//! One face's report. Of a creased face's parts, errors are the largest (empty if one of them is) and limits the
+//! tightest. to_json gives the documented format.
 struct OffsetReport
 {
     Status status = Status::Ok;
@@ -54,8 +56,12 @@ struct OffsetReport
 
     std::optional<SurfaceSummary> surface; //!< empty when refused
     std::optional<FeasibleRange> limits;   //!< empty when not computed
-    int loops = 0;
-    int edges = 0;
+    int loops = 0;                         //!< of the base face
+    int edges = 0;                         //!< of the base face
+
+    int faces = 0;                    //!< of the result; more than one where a crease tears the base into parts
+    std::optional<double> gap;        //!< proven bound of the distance between two parts' edges along a crease [mm]
+    std::optional<CreaseKind> crease; //!< what the parts leave there; empty for a single face
     Elapsed elapsed;
 };
 

@@ -248,4 +248,16 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
                    std::nullopt, std::nullopt};
 }
 
+TopoDS_Shell build_shell(const InputFace &input, const std::vector<TopoDS_Face> &parts)
+{
+    BRep_Builder builder;
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    for (const TopoDS_Face &part : parts)
+        builder.Add(shell, part.Located(TopLoc_Location()));
+    constexpr bool refuse_mirrors = false; // the base may stand under a mirror, and so may its offset
+    shell.Location(input.location, refuse_mirrors);
+    return shell;
+}
+
 } // namespace laminate_offset

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //! \file
-//! Stage Topology: vertices, edges, wires and the face of the offset, as a mirror of the base's.
+//! Stage Topology: vertices, edges, wires, the face and the shell of the offset, as a mirror of the base's.
 #pragma once
 
 #include "../base/result.h"
@@ -9,6 +9,9 @@
 #include "../trimming/trim_loops.h"
 
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+
+#include <vector>
 
 namespace laminate_offset
 {
@@ -19,5 +22,9 @@ namespace laminate_offset
 //! resolution.
 //! Refusal: InvalidResult.
 Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops);
+
+//! The shell of the offsets of a creased face's parts, with the location of the base. The parts share no edges, so the
+//! shell is not connected.
+TopoDS_Shell build_shell(const InputFace &input, const std::vector<TopoDS_Face> &parts);
 
 } // namespace laminate_offset

@@ -28,7 +28,7 @@ bool check_sphere_offset(const TopoDS_Face &base, double distance)
         return false;
     }
     const Handle(Geom_SphericalSurface) sphere =
-        Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(result.value().face));
+        Handle(Geom_SphericalSurface)::DownCast(BRep_Tool::Surface(result.value().face()));
     if (sphere.IsNull())
     {
         std::cerr << "the offset of a sphere is not a sphere\n";

@@ -155,7 +155,7 @@ def _offset_all(feature: Any) -> Tuple[List[Any], List[Mapping[str, Any]]]:
             except lo.OffsetError as error:
                 error.face = sub
                 raise
-            faces.append(result.face)
+            faces.append(result.shape)
             reports.append(result.report.to_dict())
     return faces, reports
 

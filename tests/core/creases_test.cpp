@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Creased faces become shells: every part right on its own, the tear between them bounded.
+#include "support/data_files.h"
+#include "support/offset_oracle.h"
+#include "support/offsets.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/offset_face.h>
+#include <laminate_offset/offset_limits.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Ellipse.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+constexpr double tolerance = 1e-3;
+constexpr double rounding = 1e-9;
+
+using Point = std::function<gp_Pnt(double, double)>;
+
+struct Direction
+{
+    std::vector<double> knots; //!< distinct
+    std::vector<int> multiplicities;
+    int degree = 3;
+    bool periodic = false;
+};
+
+//! Piecewise cubic with full multiplicity at the inner knots.
+Direction broken(const std::vector<double> &knots, int inner_multiplicity)
+{
+    Direction direction{knots, std::vector<int>(knots.size(), inner_multiplicity)};
+    direction.multiplicities.front() = direction.multiplicities.back() = direction.degree + 1;
+    return direction;
+}
+
+std::vector<double> greville(const Direction &d)
+{
+    std::vector<double> flat;
+    for (std::size_t i = 0; i < d.knots.size(); ++i)
+        flat.insert(flat.end(), static_cast<std::size_t>(d.multiplicities[i]), d.knots[i]);
+    std::vector<double> places;
+    for (std::size_t i = 1; i + static_cast<std::size_t>(d.degree) < flat.size(); ++i)
+    {
+        double sum = 0.0;
+        for (int k = 0; k < d.degree; ++k)
+            sum += flat[i + static_cast<std::size_t>(k)];
+        places.push_back(sum / d.degree);
+    }
+    return places;
+}
+
+//! The spline whose poles are the points at the knot averages.
+Handle(Geom_BSplineSurface) spline(const Direction &u, const Direction &v, const Point &point)
+{
+    const std::vector<double> us = greville(u), vs = greville(v);
+    TColgp_Array2OfPnt poles(1, static_cast<int>(us.size()), 1, static_cast<int>(vs.size()));
+    for (int i = 1; i <= poles.ColLength(); ++i)
+        for (int j = 1; j <= poles.RowLength(); ++j)
+            poles(i, j) = point(us[static_cast<std::size_t>(i) - 1], vs[static_cast<std::size_t>(j) - 1]);
+    const auto reals = [](const std::vector<double> &values) {
+        TColStd_Array1OfReal array(1, static_cast<int>(values.size()));
+        for (int i = 1; i <= array.Length(); ++i)
+            array(i) = values[static_cast<std::size_t>(i) - 1];
+        return array;
+    };
+    const auto integers = [](const std::vector<int> &values) {
+        TColStd_Array1OfInteger array(1, static_cast<int>(values.size()));
+        for (int i = 1; i <= array.Length(); ++i)
+            array(i) = values[static_cast<std::size_t>(i) - 1];
+        return array;
+    };
+    return new Geom_BSplineSurface(poles, reals(u.knots), reals(v.knots), integers(u.multiplicities),
+                                   integers(v.multiplicities), u.degree, v.degree);
+}
+
+//! A curved sheet over [0, 1] x [0, 1], 100 x 60, folded along u = 0.4: upwards for a positive slope, which makes a
+//! valley seen from above.
+Handle(Geom_BSplineSurface) folded_sheet(double slope)
+{
+    return spline(broken({0.0, 0.4, 1.0}, 3), broken({0.0, 0.5, 1.0}, 1), [slope](double u, double v) {
+        return gp_Pnt(100.0 * u, 60.0 * v, slope * 100.0 * std::abs(u - 0.4) + 6.0 * v * (1.0 - v) - 4.0 * u * u);
+    });
+}
+
+TopoDS_Face face_on(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-7); }
+
+TopoDS_Face with_hole(const Handle(Geom_Surface) & surface, const gp_Pnt2d &centre, double radius_u, double radius_v)
+{
+    BRepBuilderAPI_MakeFace maker(surface, 1e-7);
+    const Handle(Geom2d_Ellipse) ellipse =
+        new Geom2d_Ellipse(gp_Ax22d(centre, gp_Dir2d(1, 0), gp_Dir2d(0, -1)), radius_u, radius_v);
+    TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(ellipse, surface);
+    BRepLib::BuildCurve3d(edge);
+    maker.Add(BRepBuilderAPI_MakeWire(edge).Wire());
+    return maker.Face();
+}
+
+std::vector<TopoDS_Face> parts_of(const TopoDS_Shape &shape)
+{
+    std::vector<TopoDS_Face> faces;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+        faces.push_back(TopoDS::Face(it.Current()));
+    return faces;
+}
+
+//! Calls visit(face, uv) for the points of a grid over the face that lie inside its loops, and not beside them.
+int for_each_inside(const TopoDS_Face &face, int grid, const std::function<void(const gp_Pnt2d &)> &visit)
+{
+    double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    const BRepTopAdaptor_FClass2d inside(face, 1e-9);
+    int points = 0;
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j < grid; ++j)
+        {
+            const gp_Pnt2d uv(u0 + (u1 - u0) * (i + 0.5) / grid, v0 + (v1 - v0) * (j + 0.5) / grid);
+            if (inside.Perform(uv) != TopAbs_IN)
+                continue;
+            visit(uv);
+            ++points;
+        }
+    return points;
+}
+
+gp_Vec outward_normal(const TopoDS_Face &face, const gp_Pnt2d &uv)
+{
+    gp_Pnt p;
+    gp_Vec du, dv;
+    BRep_Tool::Surface(face)->D1(uv.X(), uv.Y(), p, du, dv);
+    const gp_Vec normal = du.Crossed(dv).Normalized();
+    return face.Orientation() == TopAbs_REVERSED ? -normal : normal;
+}
+
+//! The parts keep the base's parameters: every one is within its bound of the exact offset there, and together they
+//! have the base's points, each in one part.
+void expect_parts_right(const TopoDS_Face &base, const OffsetResult &result, double distance, int parts)
+{
+    const std::vector<TopoDS_Face> faces = parts_of(result.shape);
+    ASSERT_EQ(static_cast<int>(faces.size()), parts);
+    EXPECT_EQ(result.report.faces, parts);
+    ASSERT_TRUE(result.report.certified_error && result.report.edge_error);
+    EXPECT_LE(*result.report.edge_error, tolerance);
+    double area = 0.0;
+    for (const TopoDS_Face &face : faces)
+    {
+        EXPECT_TRUE(BRepCheck_Analyzer(face).IsValid());
+        EXPECT_EQ(face.Orientation(), base.Orientation());
+        double worst = 0.0;
+        const int points = for_each_inside(face, 60, [&](const gp_Pnt2d &uv) {
+            const gp_Pnt exact =
+                BRep_Tool::Surface(base)->Value(uv.X(), uv.Y()).Translated(distance * outward_normal(base, uv));
+            worst = std::max(worst, exact.Distance(BRep_Tool::Surface(face)->Value(uv.X(), uv.Y())));
+        });
+        EXPECT_GE(points, 500);
+        EXPECT_LE(worst, *result.report.certified_error + rounding);
+        double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+        BRepTools::UVBounds(face, u0, u1, v0, v1);
+        area += (u1 - u0) * (v1 - v0) * points / 3600.0;
+    }
+    double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+    BRepTools::UVBounds(base, u0, u1, v0, v1);
+    const double whole = (u1 - u0) * (v1 - v0) * for_each_inside(base, 60, [](const gp_Pnt2d &) {}) / 3600.0;
+    EXPECT_NEAR(area / whole, 1.0, 0.02) << "the parts do not make up the base";
+}
+
+//! Distances between the offsets of both sides along an isoparametric line, from the base alone.
+struct SeenTear
+{
+    double widest = 0.0;
+    bool gap = false;
+    bool overlap = false;
+};
+
+SeenTear seen_tear(const TopoDS_Face &base, bool constant_u, double parameter, double low, double high, double distance)
+{
+    constexpr double step = 1e-9;
+    SeenTear tear;
+    const auto uv = [&](double t, double side) {
+        return constant_u ? gp_Pnt2d(parameter + side * step, t) : gp_Pnt2d(t, parameter + side * step);
+    };
+    for (int i = 0; i <= 2000; ++i)
+    {
+        const double t = low + (high - low) * i / 2000;
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(base);
+        const gp_Vec before = outward_normal(base, uv(t, -1.0)), after = outward_normal(base, uv(t, 1.0));
+        const gp_Vec across(surface->Value(uv(t, -1e5).X(), uv(t, -1e5).Y()),
+                            surface->Value(uv(t, 1e5).X(), uv(t, 1e5).Y()));
+        const gp_Vec tear_vector = distance * (after - before);
+        tear.widest = std::max(tear.widest, tear_vector.Magnitude());
+        if (tear_vector.Magnitude() > tolerance)
+            (tear_vector.Dot(across) > 0.0 ? tear.gap : tear.overlap) = true;
+    }
+    return tear;
+}
+
+void expect_tear(const OffsetReport &report, const SeenTear &seen)
+{
+    ASSERT_TRUE(report.gap.has_value());
+    EXPECT_GE(*report.gap, seen.widest - 2.0 * tolerance);
+    EXPECT_LE(*report.gap, 1.006 * seen.widest + 2.0 * tolerance);
+    ASSERT_TRUE(report.crease.has_value());
+    EXPECT_EQ(*report.crease, seen.gap && seen.overlap ? CreaseKind::Both
+                              : seen.gap               ? CreaseKind::Gap
+                                                       : CreaseKind::Overlap);
+}
+
+} // namespace
+
+TEST(CreasedFace, AFoldedSheetBecomesTwoFaces)
+{
+    for (const double slope : {0.02, 0.3, 1.5, -0.3})
+        for (const double distance : {0.4, -0.4, 3.0, -3.0})
+            for (const bool turned : {false, true})
+            {
+                SCOPED_TRACE(testing::Message()
+                             << "slope " << slope << " distance " << distance << " turned " << turned);
+                const TopoDS_Face sheet = face_on(folded_sheet(slope));
+                const TopoDS_Face base = turned ? reversed(sheet) : sheet;
+                const auto result = offset(base, distance, tolerance);
+                ASSERT_TRUE(result.ok()) << why(result);
+                const OffsetReport &report = result.value().report;
+                EXPECT_EQ(result.value().shape.ShapeType(), TopAbs_SHELL);
+                expect_parts_right(base, result.value(), distance, 2);
+                const SeenTear seen = seen_tear(base, true, 0.4, 0.0, 1.0, distance);
+                expect_tear(report, seen);
+                // upwards a valley closes up and a ridge opens
+                const bool upwards = (distance > 0.0) != turned;
+                EXPECT_EQ(*report.crease, upwards == (slope > 0.0) ? CreaseKind::Overlap : CreaseKind::Gap);
+                EXPECT_EQ(report.loops, 1);
+                EXPECT_EQ(report.edges, 4);
+            }
+}
+
+TEST(CreasedFace, AHoleAcrossTheCreaseIsCutAndOneBesideItIsKept)
+{
+    for (const double centre : {0.4, 0.45, 0.7})
+        for (const double distance : {1.0, -1.0})
+        {
+            SCOPED_TRACE(testing::Message() << "centre " << centre << " distance " << distance);
+            const TopoDS_Face base = with_hole(folded_sheet(0.4), gp_Pnt2d(centre, 0.5), 0.2, 0.1);
+            const auto result = offset(base, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            expect_parts_right(base, result.value(), distance, 2);
+            EXPECT_EQ(result.value().report.loops, 2);
+            EXPECT_EQ(result.value().report.edges, 5);
+            int loops = 0;
+            for (TopExp_Explorer it(result.value().shape, TopAbs_WIRE); it.More(); it.Next())
+                ++loops;
+            EXPECT_EQ(loops, centre == 0.7 ? 3 : 2);
+        }
+}
+
+TEST(CreasedFace, TwoCreasesThatCrossMakeFourFaces)
+{
+    const auto surface = spline(broken({0.0, 0.4, 1.0}, 3), broken({0.0, 0.7, 1.0}, 3), [](double u, double v) {
+        return gp_Pnt(100.0 * u, 60.0 * v, 20.0 * std::abs(u - 0.4) - 15.0 * std::abs(v - 0.7) + 5.0 * u * v);
+    });
+    for (const double distance : {2.0, -2.0})
+    {
+        const TopoDS_Face base = located(face_on(surface));
+        const auto result = offset(base, distance, tolerance);
+        ASSERT_TRUE(result.ok()) << why(result);
+        ASSERT_EQ(result.value().report.faces, 4);
+        EXPECT_EQ(*result.value().report.crease, CreaseKind::Both);
+        const TopoDS_Face local = face_on(surface);
+        const double seen = std::max(seen_tear(local, true, 0.4, 0.0, 1.0, distance).widest,
+                                     seen_tear(local, false, 0.7, 0.0, 1.0, distance).widest);
+        EXPECT_NEAR(*result.value().report.gap / seen, 1.0, 0.01);
+        expect_parts_right(base, result.value(), distance, 4);
+    }
+}
+
+TEST(CreasedFace, ACreaseAroundOrAlongAClosedTubeKeepsItsSeam)
+{
+    TColgp_Array1OfPnt poles(1, 7);
+    const double heights[] = {0, 10, 20, 30, 40, 50, 60}, radii[] = {20, 21, 23, 26, 22, 20, 19};
+    for (int i = 1; i <= 7; ++i)
+        poles(i) = gp_Pnt(radii[i - 1], 0.0, heights[i - 1]);
+    TColStd_Array1OfReal knots(1, 3);
+    TColStd_Array1OfInteger multiplicities(1, 3);
+    knots(1) = 0.0, knots(2) = 1.0, knots(3) = 2.0;
+    multiplicities(1) = multiplicities(3) = 4, multiplicities(2) = 3;
+    const Handle(Geom_BSplineCurve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    const Handle(Geom_Surface) revolved = new Geom_SurfaceOfRevolution(profile, gp::OZ());
+    for (const Handle(Geom_Surface) & surface :
+         {revolved, Handle(Geom_Surface)(GeomConvert::SurfaceToBSplineSurface(
+                        new Geom_RectangularTrimmedSurface(revolved, 0.0, 2.0 * M_PI, 0.0, 2.0)))})
+        for (const double distance : {1.0, -1.0})
+        {
+            SCOPED_TRACE(testing::Message() << surface->DynamicType()->Name() << " distance " << distance);
+            const TopoDS_Face base = face_on(surface);
+            const auto result = offset(base, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            ASSERT_EQ(result.value().report.faces, 2);
+            expect_tear(result.value().report, seen_tear(base, false, 1.0, 0.0, 2.0 * M_PI, distance));
+            for (const TopoDS_Face &part : parts_of(result.value().shape))
+            {
+                EXPECT_TRUE(BRepCheck_Analyzer(part).IsValid());
+                int seams = 0;
+                for (TopExp_Explorer it(part, TopAbs_EDGE); it.More(); it.Next())
+                    seams += BRep_Tool::IsClosed(TopoDS::Edge(it.Current()), part) ? 1 : 0;
+                EXPECT_EQ(seams, 2) << "the seam stands twice in the loop";
+                double worst = 0.0;
+                for_each_inside(part, 40, [&](const gp_Pnt2d &uv) {
+                    const gp_Pnt exact = surface->Value(uv.X(), uv.Y()).Translated(distance * outward_normal(base, uv));
+                    worst = std::max(worst, exact.Distance(BRep_Tool::Surface(part)->Value(uv.X(), uv.Y())));
+                });
+                EXPECT_LE(worst, result.value().report.certified_error.value_or(tolerance) + rounding);
+            }
+        }
+}
+
+TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
+{
+    // a closed spline with a kink at 1, smooth at its seam
+    const double x[] = {0, 15, 25, 40, 25, 15, 0, -15, -15, 0}, y[] = {-12, -12, -10, 0, 10, 12, 12, 12, -12, -12};
+    TColgp_Array1OfPnt poles(1, 10);
+    for (int i = 1; i <= 10; ++i)
+        poles(i) = gp_Pnt(x[i - 1], y[i - 1], 0.0);
+    TColStd_Array1OfReal knots(1, 4);
+    TColStd_Array1OfInteger multiplicities(1, 4);
+    for (int i = 1; i <= 4; ++i)
+    {
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == 4 ? 4 : 3;
+    }
+    const Handle(Geom_BSplineCurve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    const TopoDS_Face base =
+        BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(profile, gp::DZ()), 0.0, 3.0, 0.0, 50.0, 1e-7);
+    for (const double distance : {0.5, -0.5})
+    {
+        const auto result = offset(base, distance, tolerance);
+        ASSERT_TRUE(result.ok()) << why(result);
+        expect_parts_right(base, result.value(), distance, 2);
+        expect_tear(result.value().report, seen_tear(base, true, 1.0, 0.0, 50.0, distance));
+    }
+}
+
+TEST(CreasedFace, WhereOnlyTheParametrisationKinksItStaysOneFace)
+{
+    // along u the same straight pace before and after 0.4 in space, but not in the parameter: G1 and no more
+    const auto bent = [](double u) { return u < 0.4 ? u : 0.4 + 2.0 * (u - 0.4); };
+    const auto surface = spline(broken({0.0, 0.4, 1.0}, 3), broken({0.0, 0.5, 1.0}, 1), [&](double u, double v) {
+        const double x = bent(u);
+        return gp_Pnt(50.0 * x, 60.0 * v,
+                      6.0 * v * (1.0 - v) + (u < 0.4 ? 0.0 : 3.0 * std::pow(std::max(0.0, u - 0.6), 2)));
+    });
+    const TopoDS_Face base = face_on(surface);
+    const auto result = offset(base, 2.0, tolerance);
+    ASSERT_TRUE(result.ok()) << why(result);
+    EXPECT_EQ(result.value().shape.ShapeType(), TopAbs_FACE);
+    EXPECT_EQ(result.value().report.faces, 1);
+    EXPECT_FALSE(result.value().report.gap || result.value().report.crease);
+    EXPECT_TRUE(confirms(measure_offset(base, result.value().face(), 2.0, {60, 60}), tolerance));
+}
+
+TEST(CreasedFace, ACreaseIntoAnApexSplitsTheApex)
+{
+    // two fans of rulings from (0, 0, 40) that meet in a ridge at v = 0.5
+    const auto surface = spline(broken({0.0, 1.0}, 1), broken({0.0, 0.5, 1.0}, 3), [](double u, double v) {
+        const double y = 60.0 * (v - 0.5);
+        const gp_XYZ foot(50.0 - 0.01 * y * y - 0.8 * std::abs(y), y, 0.0), apex(0.0, 0.0, 40.0);
+        return gp_Pnt(apex + u * (foot - apex));
+    });
+    const TopoDS_Face base = face_on(surface);
+    int made = 0;
+    for (const double distance : {0.5, -0.5})
+    {
+        const auto result = offset(base, distance, tolerance);
+        if (!result.ok())
+        {
+            EXPECT_EQ(result.failure().status, Status::CurvatureLimit) << why(result);
+            continue;
+        }
+        ++made;
+        expect_parts_right(base, result.value(), distance, 2);
+        EXPECT_EQ(*result.value().report.crease, CreaseKind::Gap);
+    }
+    EXPECT_EQ(made, 1);
+}
+
+TEST(CreasedFace, IsRefusedWhereAPartIsWithWhatAllPartsPermit)
+{
+    const auto surface = spline(broken({0.0, 0.5, 1.0}, 3), broken({0.0, 1.0}, 1), [](double u, double v) {
+        const double x = u - 0.5; // radii of about 50 on one side, and of about 100 bent the other way on the other
+        return gp_Pnt(100.0 * u, 60.0 * v, u < 0.5 ? 100.0 * x * x : 20.0 * x - 50.0 * x * x);
+    });
+    const TopoDS_Face base = face_on(surface);
+    const Result<OffsetLimits> limits = offset_limits(base);
+    ASSERT_TRUE(limits.ok()) << limits.failure().message;
+    ASSERT_TRUE(limits.value().negative && limits.value().positive);
+    for (const double distance : {1.2 * limits.value().positive->distance, 1.2 * limits.value().negative->distance})
+    {
+        const auto result = offset(base, distance, tolerance);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.failure().status, Status::CurvatureLimit) << why(result);
+        ASSERT_TRUE(result.failure().feasible_range && result.failure().where);
+        ASSERT_TRUE(result.failure().feasible_range->negative && result.failure().feasible_range->positive);
+        EXPECT_NEAR(*result.failure().feasible_range->negative / limits.value().negative->distance, 1.0, 0.02);
+        EXPECT_NEAR(*result.failure().feasible_range->positive / limits.value().positive->distance, 1.0, 0.02);
+    }
+    const auto fits = offset(base, 0.5 * limits.value().positive->distance, tolerance);
+    EXPECT_TRUE(fits.ok()) << why(fits);
+}
+
+TEST(CreasedFace, RealOnesBecomeShells)
+{
+    struct Case
+    {
+        const char *file;
+        std::size_t face;
+        double distance;
+        int parts;
+    };
+    for (const Case &c :
+         {Case{"dealii_DTMB5415_bulbous_bow.iges", 1, 0.5, 3}, Case{"tigl_resultShape.brep", 1, 0.01, 3},
+          Case{"pygem_pipe_hollow_out_true.iges", 1, 0.5, 2}, Case{"pygem_pipe_hollow_out_true.iges", 2, -0.5, 2},
+          Case{"pygem_pipe_hollow_out_true.iges", 3, 20.0, 2}, Case{"pygem_pipe_hollow_out_true.iges", 4, -2.0, 2}})
+    {
+        SCOPED_TRACE(testing::Message() << c.file << " face " << c.face);
+        const auto file = find_data_file(c.file);
+        if (!file)
+            GTEST_SKIP() << missing_data_message(c.file);
+        const TopoDS_Face base = read_faces(*file).at(c.face - 1);
+        const auto result = offset(base, c.distance, tolerance);
+        ASSERT_TRUE(result.ok()) << why(result);
+        expect_parts_right(base, result.value(), c.distance, c.parts);
+        ASSERT_TRUE(result.value().report.gap.has_value());
+        EXPECT_GT(*result.value().report.gap, 0.5 * tolerance);
+    }
+}
