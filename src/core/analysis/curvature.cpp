@@ -21,7 +21,7 @@ constexpr int deepest_singular_piece = 10;
 // Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
 constexpr double smallest_piece = 1e-5;
 constexpr int most_steps = 4000;
-constexpr int steps_after_decision = 200;
+constexpr int steps_after_decision = 50;
 // Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
 constexpr double singular_sine = 1e-8;
 // Curvature times extent below which a limit is of no interest.
@@ -114,11 +114,10 @@ public:
         {
             Node node = m_queue.top();
             m_queue.pop();
+            m_bounder.assign(node.piece);
             if (!node.fine)
                 refine(node);
-            else if (!m_bounder.below_resolution(node.piece) &&
-                     (node.depth < deepest_singular_piece ||
-                      (std::isfinite(node.bound) && !CurvaturePieceBounder::has_collapsed_side(node.piece))))
+            else if (may_split(node))
                 split(node);
             else
                 complete = false; // its centre has been probed
@@ -129,6 +128,13 @@ public:
     }
 
 private:
+    //! Is there anything to be learned from the halves of the piece that the bounder looks at?
+    [[nodiscard]] bool may_split(const Node &node) const
+    {
+        const bool regular = std::isfinite(node.bound) && !CurvaturePieceBounder::has_collapsed_side(node.piece);
+        return !m_bounder.below_resolution() && (regular || node.depth < deepest_singular_piece);
+    }
+
     //! Is a bound good enough to stop at?
     [[nodiscard]] bool closed(double bound) const
     {
@@ -147,7 +153,7 @@ private:
 
     void refine(Node &node)
     {
-        const std::pair<double, double> fine = m_bounder.fine(node.piece);
+        const std::pair<double, double> fine = m_bounder.fine();
         node.bound = std::min(node.bound, m_sign > 0.0 ? fine.second : -fine.first);
         node.fine = true;
         if (closed(node.bound))
@@ -160,15 +166,17 @@ private:
     {
         if (!m_region.may_touch(box))
             return;
+        m_bounder.assign(piece);
         const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
-        if (const auto k = m_bounder.at_centre(piece))
+        if (const auto k = m_bounder.at_centre())
             offer(*k, middle);
-        add(m_bounder.rough(piece), piece, box, depth, known);
+        add(m_bounder.rough(), piece, box, depth, known);
     }
 
+    //! The bounder looks at the node's piece.
     void split(Node &node)
     {
-        const bool along_u = m_bounder.longer_in_u(node.piece);
+        const bool along_u = m_bounder.longer_in_u();
         RationalPiece upper = node.piece;
         node.piece.halve(along_u, upper);
         ParameterBox low = node.box;
@@ -242,13 +250,14 @@ void hand_out_pieces(const TensorSpline &base, const LoopRegion &region, double 
             if (!region.may_touch(box))
                 continue;
             pieces.cut(i, j, pieces.near_point(i, j), piece);
+            bounder.assign(piece);
             const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
-            if (const auto k = bounder.at_centre(piece))
+            if (const auto k = bounder.at_centre())
             {
                 lowest.offer(*k, middle);
                 highest.offer(*k, middle);
             }
-            rough.push_back({bounder.rough(piece), i, j, box});
+            rough.push_back({bounder.rough(), i, j, box});
         }
     for (const RoughPiece &r : rough)
     {

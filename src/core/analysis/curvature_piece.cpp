@@ -104,7 +104,7 @@ void CurvaturePieceBounder::move_to_centre(const RationalPiece &piece)
         m_piece.numerator[static_cast<std::size_t>(e)].add_raised(-point[e], piece.omega);
 }
 
-void CurvaturePieceBounder::differentiate(const RationalPiece &piece)
+void CurvaturePieceBounder::assign(const RationalPiece &piece)
 {
     move_to_centre(piece);
     assign_derivative_u(m_piece, m_u);
@@ -114,9 +114,8 @@ void CurvaturePieceBounder::differentiate(const RationalPiece &piece)
     assign_derivative_v(m_v, m_vv);
 }
 
-std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre(const RationalPiece &piece)
+std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre() const
 {
-    differentiate(piece);
     const double w = m_piece.omega.centre();
     SurfaceJet jet;
     jet.s.setZero();
@@ -130,9 +129,8 @@ std::optional<std::pair<double, double>> CurvaturePieceBounder::at_centre(const 
     return principal_curvatures(jet);
 }
 
-bool CurvaturePieceBounder::below_resolution(const RationalPiece &piece)
+bool CurvaturePieceBounder::below_resolution() const
 {
-    differentiate(piece);
     const double shorter =
         std::sqrt(std::min(centre(m_u.numerator).squaredNorm(), centre(m_v.numerator).squaredNorm()));
     return shorter / m_piece.omega.centre() < m_resolution;
@@ -158,15 +156,13 @@ bool CurvaturePieceBounder::has_collapsed_side(const RationalPiece &piece)
     return collapsed(0, 0, 1, 0, m) || collapsed(0, n, 1, 0, m) || collapsed(0, 0, 0, 1, n) || collapsed(m, 0, 0, 1, n);
 }
 
-bool CurvaturePieceBounder::longer_in_u(const RationalPiece &piece)
+bool CurvaturePieceBounder::longer_in_u() const
 {
-    differentiate(piece);
     return centre(m_u.numerator).squaredNorm() >= centre(m_v.numerator).squaredNorm();
 }
 
-std::pair<double, double> CurvaturePieceBounder::rough(const RationalPiece &piece)
+std::pair<double, double> CurvaturePieceBounder::rough() const
 {
-    differentiate(piece);
     const Bernstein::Range omega = m_piece.omega.range();
     if (omega.low <= 0.0)
         return unbounded;
@@ -234,21 +230,15 @@ void CurvaturePieceBounder::weighted_second(const RationalPiece &d, Bernstein &o
     if (!m_piece.rational())
         return assign_dot(d.numerator, m_tangents.normal(), out);
     assign_dot(d.numerator, m_tangents.normal(), m_scalar);
-    Bernstein product;
-    assign_product(m_scalar, m_piece.omega, product);
+    assign_product(m_scalar, m_piece.omega, m_sum);
     assign_dot(m_piece.numerator, m_tangents.normal(), m_scalar);
-    Bernstein weight_part;
-    assign_product(m_scalar, d.omega, weight_part);
-    Bernstein sum(std::max(product.degree_u(), weight_part.degree_u()),
-                  std::max(product.degree_v(), weight_part.degree_v()));
-    sum.add_raised(1.0, product);
-    sum.add_raised(-1.0, weight_part);
-    assign_product(sum, m_square, out);
+    assign_product(m_scalar, d.omega, m_product);
+    m_sum.add_raised(-1.0, m_product);
+    assign_product(m_sum, m_square, out);
 }
 
-std::pair<double, double> CurvaturePieceBounder::fine(const RationalPiece &piece)
+std::pair<double, double> CurvaturePieceBounder::fine()
 {
-    differentiate(piece);
     m_tangents.assign(m_piece);
     m_tangents.find_tangents(m_piece);
     m_tangents.assign_height(m_height);
