@@ -134,6 +134,11 @@ public:
     DegreeSearch(const KnotProblem &problem, SampledData &data, int degree, int most_poles)
         : m_problem(problem), m_data(data), m_degree(degree), m_most_poles(most_poles)
     {
+        for (const Knot &knot : problem.required)
+        {
+            const int multiplicity = std::min(degree, knot.multiplicity + degree - problem.required_degree);
+            m_required.insert(m_required.end(), static_cast<std::size_t>(multiplicity), knot.parameter);
+        }
     }
 
     std::optional<Trial> run()
@@ -257,7 +262,7 @@ private:
     //! Adds knots until the tolerance holds at every sample.
     std::optional<Trial> refine()
     {
-        std::vector<double> interior;
+        std::vector<double> interior = m_required;
         while (static_cast<int>(interior.size()) + m_degree + 1 <= m_most_poles)
         {
             const KnotVector kv = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
@@ -311,12 +316,23 @@ private:
         std::size_t index = 0; //!< in Trial::interior
     };
 
-    //! One occurrence of every distinct interior knot, the least needed first.
+    //! May one occurrence of an interior knot go?
+    [[nodiscard]] bool removable(const Trial &trial, double parameter) const
+    {
+        const auto count = [parameter](const std::vector<double> &knots) {
+            const auto range = std::equal_range(knots.begin(), knots.end(), parameter);
+            return range.second - range.first;
+        };
+        return count(trial.interior) > count(m_required);
+    }
+
+    //! One occurrence of every distinct interior knot that may go, the least needed first.
     [[nodiscard]] std::vector<Candidate> candidates(const Trial &trial) const
     {
         std::vector<Candidate> result;
         for (std::size_t i = 0; i < trial.interior.size(); ++i)
-            if (i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i])
+            if ((i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i]) &&
+                removable(trial, trial.interior[i]))
                 result.push_back({removal_weight(trial, static_cast<int>(i) + m_degree + 1), i});
         std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) { return a.weight < b.weight; });
         return result;
@@ -346,6 +362,8 @@ private:
         while (!trial.interior.empty())
         {
             const std::vector<Candidate> order = candidates(trial);
+            if (order.empty())
+                return;
             std::optional<Trial> thinner;
             for (batch = std::min(std::max<std::size_t>(batch, 1), order.size()); batch > 1 && !thinner; batch /= 2)
                 thinner = without(trial, order, 0, batch);
@@ -362,6 +380,7 @@ private:
     SampledData &m_data;
     int m_degree;
     int m_most_poles;
+    std::vector<double> m_required; //!< interior knots, as often as this degree needs them
     double m_part_left = 1.0;
 };
 
@@ -374,7 +393,7 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
     double part_left = 1.0;
     for (const int degree : degree_order)
     {
-        if (degree < problem.min_degree || degree > problem.max_degree)
+        if (degree < std::max(problem.min_degree, problem.required_degree) || degree > problem.max_degree)
             continue;
         const int fewest = best ? best->knots.pole_count() : problem.max_poles;
         if (degree + 1 >= fewest)

@@ -31,6 +31,9 @@ struct KnotProblem
     //! their poles, and the tolerance bounds the change of every pole, which bounds the curves' everywhere.
     //! The chosen knots are some of these; the degree is theirs and `breaks` are their interior knots.
     const KnotVector *fine = nullptr;
+    //! Where given, the chosen space holds the splines of `required_degree` over these interior knots.
+    std::vector<Knot> required;
+    int required_degree = 1;
     double tolerance = 1e-3; //!< longest admissible point error
     int min_degree = 1;
     int max_degree = 7;

@@ -135,6 +135,22 @@ std::vector<SurfaceJet> TensorSpline::jets(const std::vector<double> &us, const 
     return result;
 }
 
+std::vector<double> TensorSpline::weights(const std::vector<double> &us, const std::vector<double> &vs) const
+{
+    const BasisRows rows_u(u, us);
+    const BasisRows rows_v(v, vs);
+    Columns columns(static_cast<std::size_t>(v.pole_count()));
+    std::vector<double> result;
+    result.reserve(us.size() * vs.size());
+    for (int k = 0; k < rows_u.rows(); ++k)
+    {
+        contract_u(*this, rows_u.row(k), rows_u.first(k), columns);
+        for (int l = 0; l < rows_v.rows(); ++l)
+            result.push_back(contract_v(columns, rows_v.row(l), rows_v.first(l), rows_v.width()).w());
+    }
+    return result;
+}
+
 TensorSpline from_geom(const Handle(Geom_BSplineSurface) & surface)
 {
     Handle(Geom_BSplineSurface) clamped = Handle(Geom_BSplineSurface)::DownCast(surface->Copy());

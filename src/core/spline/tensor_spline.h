@@ -41,6 +41,9 @@ struct TensorSpline
     //! Jets on the grid us x vs, jet (k, l) at k * vs.size() + l, derivatives up to `order` (0 to 2).
     [[nodiscard]] std::vector<SurfaceJet> jets(const std::vector<double> &us, const std::vector<double> &vs,
                                                int order) const;
+
+    //! Values of the weight function on the same grid.
+    [[nodiscard]] std::vector<double> weights(const std::vector<double> &us, const std::vector<double> &vs) const;
 };
 
 //! The surface's clamped, non-periodic value on its own domain; weights kept only when they differ.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fit_space.h"
+
+#include "../spline/knot_choice.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int least_rows = 12;
+// Weights that differ by no more than this relatively are one constant.
+constexpr double same_weight = 1e-14;
+
+std::vector<double> row_parameters(const std::vector<double> &ends)
+{
+    const int intervals = static_cast<int>(ends.size()) - 1;
+    return chebyshev_parameters(ends, (least_rows + intervals - 1) / intervals);
+}
+
+//! The offset of a C^k surface is C^(k-1) at its knots; a crease has been refused before, so at least C^0.
+std::vector<DataBreak> data_breaks(const std::vector<SmoothnessBreak> &breaks)
+{
+    std::vector<DataBreak> result;
+    for (const SmoothnessBreak &b : breaks)
+        result.push_back({b.parameter, std::max(0, b.continuity - 1)});
+    return result;
+}
+
+//! Do the weights vary along u (or along v)?
+bool weights_vary(const TensorSpline &spline, bool along_u)
+{
+    for (int i = 0; i < spline.u.pole_count(); ++i)
+        for (int j = 0; j < spline.v.pole_count(); ++j)
+        {
+            const double first = (along_u ? spline.pole(0, j) : spline.pole(i, 0)).w();
+            if (std::abs(spline.pole(i, j).w() - first) > same_weight * first)
+                return true;
+        }
+    return false;
+}
+
+//! The space has to hold the weight function.
+void require(const KnotVector &kv, KnotProblem &problem)
+{
+    problem.required_degree = kv.degree;
+    for (const Knot &knot : kv.distinct())
+        if (knot.parameter > kv.front() && knot.parameter < kv.back())
+            problem.required.push_back(knot);
+}
+
+//! Numerators may be off by the tolerance times the weight below them.
+void fit_over_weight(const TensorSpline &base, KnotProblem &along_u, KnotProblem &along_v)
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector4d &pole : base.poles)
+        smallest = std::min(smallest, pole.w());
+    along_u.tolerance *= smallest;
+    along_v.tolerance *= smallest;
+    if (weights_vary(base, true))
+        require(base.u, along_u);
+    if (weights_vary(base, false))
+        require(base.v, along_v);
+}
+
+} // namespace
+
+std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options)
+{
+    const BaseSurface &base = sampler.base();
+    const ParameterBox &box = base.box();
+    const std::vector<double> rows_u = row_parameters(base.interval_ends_u());
+    const std::vector<double> rows_v = row_parameters(base.interval_ends_v());
+    KnotProblem along_u;
+    along_u.tolerance = tolerance;
+    along_u.max_degree = options.max_degree;
+    KnotProblem along_v = along_u;
+    along_u.low = box.umin;
+    along_u.high = box.umax;
+    along_u.breaks = data_breaks(base.breaks_u());
+    along_u.sample = [&](const std::vector<double> &us) { return sampler.rows(us, rows_v, false); };
+    along_v.low = box.vmin;
+    along_v.high = box.vmax;
+    along_v.breaks = data_breaks(base.breaks_v());
+    along_v.sample = [&](const std::vector<double> &vs) { return sampler.rows(rows_u, vs, true); };
+    if (sampler.denominator() == Denominator::BaseWeight)
+        fit_over_weight(*base.spline(), along_u, along_v);
+    // both at once: they share nothing but the base
+    std::optional<KnotChoice> u;
+    std::optional<KnotChoice> v;
+    tbb::parallel_invoke([&] { u = choose_knots(along_u); }, [&] { v = choose_knots(along_v); });
+    if (!u || !v || sampler.singular())
+        return std::nullopt;
+    return FitSpace{u->knots, v->knots};
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! The spline space of a fitted offset: degree and knots of both directions.
+#pragma once
+
+#include "offset_samples.h"
+
+#include "../base/options.h"
+#include "../spline/knot_vector.h"
+
+#include <optional>
+
+namespace laminate_offset
+{
+
+struct FitSpace
+{
+    KnotVector u;
+    KnotVector v;
+
+    [[nodiscard]] int poles() const { return u.pole_count() * v.pole_count(); }
+};
+
+//! Few poles such that each direction alone can follow the samples to within `tolerance` [mm]. Over the base's weight
+//! function the space holds that function too.
+//! \return nothing where no admissible degree reaches the tolerance, or where a normal is missing (see the sampler).
+std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options);
+
+} // namespace laminate_offset
