@@ -115,12 +115,13 @@ private:
 
     void add(Leaf leaf)
     {
-        leaf.bounds = m_bounder.fine(leaf.piece);
+        m_bounder.assign(leaf.piece);
+        leaf.bounds = m_bounder.fine();
         const bool bounded = std::isfinite(leaf.bounds.first) && std::isfinite(leaf.bounds.second);
         const bool at_pole = !bounded || CurvaturePieceBounder::has_collapsed_side(leaf.piece);
-        leaf.singular = m_bounder.below_resolution(leaf.piece) || leaf.depth >= deepest ||
-                        (at_pole && leaf.depth >= deepest_singular_piece);
-        if (const auto k = m_bounder.at_centre(leaf.piece))
+        leaf.singular =
+            m_bounder.below_resolution() || leaf.depth >= deepest || (at_pole && leaf.depth >= deepest_singular_piece);
+        if (const auto k = m_bounder.at_centre())
             if (-k->first > m_lowest.value || k->second > m_highest.value)
                 if (const auto uv = place(0.5 * (leaf.low + leaf.high)))
                     offer(*k, *uv);
