@@ -228,7 +228,9 @@ void expect_tear(const OffsetReport &report, const SeenTear &seen)
 {
     ASSERT_TRUE(report.gap.has_value());
     EXPECT_GE(*report.gap, seen.widest - 2.0 * tolerance);
-    EXPECT_LE(*report.gap, 1.006 * seen.widest + 2.0 * tolerance);
+    // the bound of a difference of curves overstates by 0.5 percent for polynomials, by a sixth for others
+    const double overstates = report.surface->rational ? 1.0 + 1.0 / 6.0 : 1.006;
+    EXPECT_LE(*report.gap, overstates * seen.widest + 2.0 * tolerance);
     ASSERT_TRUE(report.crease.has_value());
     EXPECT_EQ(*report.crease, seen.gap && seen.overlap ? CreaseKind::Both
                               : seen.gap               ? CreaseKind::Gap

@@ -11,6 +11,10 @@ namespace
 
 // Derivative boxes are widened by so much of their size for rounding.
 constexpr double rounding = 1e-12;
+// A leaf that is wider than the rectangle in question is halved down to this depth.
+constexpr int deepest_for_bounds = 40;
+// Pieces in each direction over which a rational surface is bounded whole.
+constexpr std::size_t least_rational_pieces = 8;
 
 double width_u(const ParameterBox &box) { return box.umax - box.umin; }
 double width_v(const ParameterBox &box) { return box.vmax - box.vmin; }
@@ -192,38 +196,83 @@ void PatchTree::split(int index)
     m_nodes[static_cast<std::size_t>(index)].upper = upper;
 }
 
-PatchBounds PatchTree::bounds_over(const ParameterBox &box) const
+PatchBounds PatchTree::bounds_over(const ParameterBox &box)
 {
     PatchBounds bounds;
     gather(root(), box, bounds);
     return bounds;
 }
 
-void PatchTree::gather(int index, const ParameterBox &box, PatchBounds &bounds) const
+void PatchTree::gather(int index, const ParameterBox &box, PatchBounds &bounds)
 {
     const PatchNode &n = node(index);
     if (!overlap_inside(n.box, box))
         return;
-    if (n.lower < 0 || holds(box, n.box))
+    const bool coarse = width_u(n.box) > width_u(box) || width_v(n.box) > width_v(box);
+    if (holds(box, n.box) || (n.lower < 0 && (!coarse || n.halvings >= deepest_for_bounds)))
     {
         bounds.extend(n.bounds);
         return;
     }
+    split(index); // keeps what is there; nodes stay where they are
     gather(n.lower, box, bounds);
     gather(n.upper, box, bounds);
 }
 
-std::optional<PatchBounds> whole_bounds(const TensorSpline &spline)
+namespace
+{
+
+//! Factor of the difference of poles i - 1 and i in the derivative; 0 where that difference has no support.
+double slope(const KnotVector &kv, int i)
+{
+    const double length = kv.knots[static_cast<std::size_t>(i + kv.degree)] - kv.knots[static_cast<std::size_t>(i)];
+    return length > 0.0 ? kv.degree / length : 0.0;
+}
+
+//! At least `least` intervals, every one between two breaks.
+std::vector<double> subdivided(const std::vector<double> &breaks, std::size_t least)
+{
+    const std::size_t spans = breaks.size() - 1;
+    const std::size_t parts = (least + spans - 1) / spans;
+    std::vector<double> result;
+    for (std::size_t i = 0; i < spans; ++i)
+        for (std::size_t k = 0; k < parts; ++k)
+            result.push_back(breaks[i] +
+                             (breaks[i + 1] - breaks[i]) * static_cast<double>(k) / static_cast<double>(parts));
+    result.push_back(breaks.back());
+    return result;
+}
+
+//! Over short pieces, on which the weight hardly varies.
+PatchBounds whole_rational_bounds(const TensorSpline &spline)
+{
+    const std::vector<double> us = subdivided(spline.u.breaks(), least_rational_pieces);
+    const std::vector<double> vs = subdivided(spline.v.breaks(), least_rational_pieces);
+    SplinePieces pieces(spline, us, vs);
+    const Eigen::Vector3d origin = pieces.near_point(0, 0);
+    RationalPiece piece;
+    PatchBounds bounds;
+    for (std::size_t i = 0; i + 1 < us.size(); ++i)
+        for (std::size_t j = 0; j + 1 < vs.size(); ++j)
+        {
+            pieces.cut(i, j, origin, piece);
+            for (const Eigen::Vector3d &point : control_points(piece))
+                bounds.point.extend((point + origin).eval());
+            bounds.du.extend(derivative_box(piece, true, us[i + 1] - us[i]));
+            bounds.dv.extend(derivative_box(piece, false, vs[j + 1] - vs[j]));
+        }
+    return bounds;
+}
+
+} // namespace
+
+PatchBounds whole_bounds(const TensorSpline &spline)
 {
     if (spline.rational)
-        return std::nullopt;
+        return whole_rational_bounds(spline);
     const int nu = spline.u.pole_count();
     const int nv = spline.v.pole_count();
     const auto pole = [&spline](int i, int j) -> Eigen::Vector3d { return spline.pole(i, j).head<3>(); };
-    const auto slope = [](const KnotVector &kv, int i) {
-        const double length = kv.knots[static_cast<std::size_t>(i + kv.degree)] - kv.knots[static_cast<std::size_t>(i)];
-        return length > 0.0 ? kv.degree / length : 0.0;
-    };
     PatchBounds bounds;
     for (int i = 0; i < nu; ++i)
         for (int j = 0; j < nv; ++j)

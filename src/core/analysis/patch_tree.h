@@ -11,7 +11,6 @@
 
 #include <array>
 #include <deque>
-#include <optional>
 #include <vector>
 
 namespace laminate_offset
@@ -58,21 +57,20 @@ public:
     //! Makes sure that a node has children.
     void split(int index);
 
-    //! Enclosure over all nodes that share inner points with the rectangle.
-    [[nodiscard]] PatchBounds bounds_over(const ParameterBox &box) const;
+    //! Enclosure over all nodes that share inner points with the rectangle; larger leaves are halved before.
+    [[nodiscard]] PatchBounds bounds_over(const ParameterBox &box);
 
 private:
     int build(SplinePieces &pieces, const Eigen::Vector3d &origin, const std::array<std::size_t, 4> &range);
     int add_piece(const ParameterBox &box, int halvings, RationalPiece piece);
-    void gather(int index, const ParameterBox &box, PatchBounds &bounds) const;
+    void gather(int index, const ParameterBox &box, PatchBounds &bounds);
 
     std::vector<double> m_us;
     std::vector<double> m_vs;
     std::deque<PatchNode> m_nodes;
 };
 
-//! Enclosure over a whole polynomial spline from its poles alone: nothing has to be cut. Nothing for a
-//! rational one.
-std::optional<PatchBounds> whole_bounds(const TensorSpline &spline);
+//! Enclosure over a whole spline from its poles alone: nothing has to be cut.
+PatchBounds whole_bounds(const TensorSpline &spline);
 
 } // namespace laminate_offset

@@ -288,7 +288,7 @@ private:
     }
 
     //! One-to-one over the rectangle that holds both, parameters continued across seams.
-    [[nodiscard]] bool neighbours(const ParameterBox &a, const ParameterBox &b) const
+    [[nodiscard]] bool neighbours(const ParameterBox &a, const ParameterBox &b)
     {
         const auto [du, gap_u] = nearest_shift(a.umin, a.umax, b.umin, b.umax, m_periods.u);
         const auto [dv, gap_v] = nearest_shift(a.vmin, a.vmax, b.vmin, b.vmax, m_periods.v);
@@ -422,8 +422,7 @@ SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query
 {
     if (std::abs(query.distance) <= 2.0 * query.tolerance)
         return {};
-    const std::optional<PatchBounds> whole = whole_bounds(query.offset);
-    if (whole && whole->one_to_one())
+    if (whole_bounds(query.offset).one_to_one())
         return {};
     return PairSearch(query).run();
 }
