@@ -15,9 +15,11 @@
 #include <BRep_Tool.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
 #include <gtest/gtest.h>
@@ -146,6 +148,39 @@ TEST(FittedOffset, ReachesEveryToleranceAndPaysForItInPoles)
         EXPECT_GE(poles, before);
         EXPECT_LT(poles, 2500);
         before = poles;
+    }
+}
+
+TEST(FittedOffset, OfARationalVaseStandsOverItsOwnWeights)
+{
+    TColgp_Array1OfPnt poles(1, 5);
+    const double radii[] = {40, 55, 35, 30, 42};
+    for (int i = 1; i <= 5; ++i)
+        poles(i) = gp_Pnt(radii[i - 1], 0.0, 30.0 * i);
+    const Handle(Geom_Surface) vase = GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+        new Geom_SurfaceOfRevolution(new Geom_BezierCurve(poles), gp::OZ()), 0.0, M_PI, 0.0, 1.0));
+    for (const double tolerance : {1e-1, 1e-3, 1e-5})
+        for (const double distance : {2.0, -2.0})
+        {
+            const int made = expect_fitted(whole(vase), distance, tolerance);
+            const auto result = offset(whole(vase), distance, tolerance);
+            ASSERT_TRUE(result.ok());
+            EXPECT_TRUE(result.value().report.surface->rational);
+            EXPECT_EQ(result.value().report.surface->poles_u, 5) << "the two arcs of the half turn, as they are";
+            EXPECT_LT(made, 5 * 40);
+        }
+}
+
+TEST(FittedOffset, AToleranceOutOfReachIsRefusedWithItsPlace)
+{
+    for (const double side : {1.0, -1.0})
+    {
+        const auto result = offset(dome(), side * 12.0, 1e-14);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.failure().status, Status::ToleranceNotReached);
+        EXPECT_EQ(result.failure().stage, Stage::Surface);
+        EXPECT_TRUE(result.failure().where.has_value());
+        EXPECT_EQ(result.failure().message.find("inf"), std::string::npos) << result.failure().message;
     }
 }
 

@@ -9,6 +9,7 @@
 #include "../spline/least_squares.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,9 @@ namespace laminate_offset
 namespace
 {
 
-// ||O - Lu Lv O|| <= ||O - Lu O|| + ||Lu|| ||O - Lv O||: each direction starts with nearly half of the
+// ||O - Lu Lv O|| <= ||O - Lu O|| + ||Lu|| ||O - Lv O||: each direction starts with a little more than half of the
 // tolerance; the measured error then says by how much to move.
-constexpr double first_direction_share = 0.47;
+constexpr double first_direction_share = 0.55;
 constexpr int most_rounds = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int spare_samples = 2;
@@ -171,10 +172,13 @@ private:
         if (!first)
             return choose_space(*m_sampler, tolerance, m_options);
         m_sampler = &m_plain;
-        std::optional<FitSpace> plain = choose_space(m_plain, tolerance, m_options);
-        if (!m_rational || m_plain.singular())
-            return plain;
-        std::optional<FitSpace> rational = choose_space(*m_rational, tolerance, m_options);
+        std::optional<FitSpace> plain;
+        std::optional<FitSpace> rational;
+        tbb::parallel_invoke([&] { plain = choose_space(m_plain, tolerance, m_options); },
+                             [&] {
+                                 if (m_rational)
+                                     rational = choose_space(*m_rational, tolerance, m_options);
+                             });
         if (!rational || (plain && plain->poles() <= rational->poles()))
             return plain;
         m_sampler = &*m_rational;
