@@ -17,10 +17,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 
 #include <gtest/gtest.h>
 
@@ -82,29 +79,6 @@ double tightest_radius(const Handle(Geom_Surface) & surface)
             sharpest = std::max({sharpest, std::abs(local.MinCurvature()), std::abs(local.MaxCurvature())});
         }
     return 1.0 / sharpest;
-}
-
-//! A tube round the z axis whose radius varies smoothly, as a periodic spline of degree 3.
-Handle(Geom_BSplineSurface) wavy_tube(double radius)
-{
-    constexpr int around = 12, along = 6;
-    TColgp_Array2OfPnt poles(1, around, 1, along);
-    for (int i = 1; i <= around; ++i)
-        for (int j = 1; j <= along; ++j)
-        {
-            const double angle = 2.0 * M_PI * i / around, r = radius * (1.0 + 0.08 * std::sin(2.0 * angle + j));
-            poles(i, j) = gp_Pnt(r * std::cos(angle), r * std::sin(angle), 0.5 * radius * j);
-        }
-    TColStd_Array1OfReal u(1, around + 1), v(1, along - 2);
-    TColStd_Array1OfInteger mu(1, around + 1), mv(1, along - 2);
-    for (int i = 1; i <= u.Length(); ++i)
-        u(i) = i - 1;
-    mu.Init(1);
-    for (int j = 1; j <= v.Length(); ++j)
-        v(j) = j - 1;
-    mv.Init(1);
-    mv(1) = mv(v.Length()) = 4;
-    return new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3, true, false);
 }
 
 Handle(Geom_BSplineSurface) ball(double u1, double v0, double v1, double radius = 50.0)

@@ -68,6 +68,28 @@ Handle(Geom_BSplineSurface) height_surface(const std::function<double(double, do
     return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities, degree, degree);
 }
 
+Handle(Geom_BSplineSurface) wavy_tube(double radius)
+{
+    constexpr int around = 12, along = 6;
+    TColgp_Array2OfPnt poles(1, around, 1, along);
+    for (int i = 1; i <= around; ++i)
+        for (int j = 1; j <= along; ++j)
+        {
+            const double angle = 2.0 * M_PI * i / around, r = radius * (1.0 + 0.08 * std::sin(2.0 * angle + j));
+            poles(i, j) = gp_Pnt(r * std::cos(angle), r * std::sin(angle), 0.5 * radius * j);
+        }
+    TColStd_Array1OfReal u(1, around + 1), v(1, along - 2);
+    TColStd_Array1OfInteger mu(1, around + 1), mv(1, along - 2);
+    for (int i = 1; i <= u.Length(); ++i)
+        u(i) = i - 1;
+    mu.Init(1);
+    for (int j = 1; j <= v.Length(); ++j)
+        v(j) = j - 1;
+    mv.Init(1);
+    mv(1) = mv(v.Length()) = 4;
+    return new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3, true, false);
+}
+
 TopoDS_Face panel_with_hole()
 {
     const auto height = [](double x, double y) {

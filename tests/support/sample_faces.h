@@ -16,6 +16,9 @@ namespace test_support
 Handle(Geom_BSplineSurface) height_surface(const std::function<double(double, double)> &height, double size_u,
                                            double size_v, int poles_u, int poles_v, int degree = 3);
 
+//! A tube round the z axis whose radius varies smoothly by 8 percent, as a spline of degree 3, periodic in u.
+Handle(Geom_BSplineSurface) wavy_tube(double radius);
+
 //! A doubly curved spline panel of 800 x 500 with an elliptic hole: 2 loops, 5 edges, normal upwards (+z).
 //! Its radii of curvature are above 300 on both sides.
 TopoDS_Face panel_with_hole();

@@ -84,11 +84,11 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
     along_u.low = box.umin;
     along_u.high = box.umax;
     along_u.breaks = data_breaks(base.breaks_u());
-    along_u.sample = [&](const std::vector<double> &us) { return sampler.rows(us, rows_v, false); };
+    along_u.sample = [&](const std::vector<double> &us) { return sampler.joined_rows(us, rows_v, false); };
     along_v.low = box.vmin;
     along_v.high = box.vmax;
     along_v.breaks = data_breaks(base.breaks_v());
-    along_v.sample = [&](const std::vector<double> &vs) { return sampler.rows(rows_u, vs, true); };
+    along_v.sample = [&](const std::vector<double> &vs) { return sampler.joined_rows(rows_u, vs, true); };
     if (sampler.denominator() == Denominator::BaseWeight)
         fit_over_weight(*base.spline(), along_u, along_v);
     // both at once: they share nothing but the base

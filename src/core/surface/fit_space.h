@@ -21,7 +21,7 @@ struct FitSpace
     [[nodiscard]] int poles() const { return u.pole_count() * v.pole_count(); }
 };
 
-//! Few poles such that each direction alone can follow the samples to within `tolerance` [mm]. Over the base's weight
+//! Few poles such that each direction alone can follow the samples of all distances to within `tolerance` [mm]. Over the base's weight
 //! function the space holds that function too.
 //! \return nothing where no admissible degree reaches the tolerance, or where a normal is missing (see the sampler).
 std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_samples.h"
 
+#include <utility>
+
 namespace laminate_offset
 {
 
-OffsetSampler::OffsetSampler(const BaseSurface &base, double distance, Denominator denominator)
-    : m_base(base), m_distance(distance), m_denominator(denominator)
+OffsetSampler::OffsetSampler(const BaseSurface &base, std::vector<double> distances, Denominator denominator)
+    : m_base(base), m_distances(std::move(distances)), m_denominator(denominator)
 {
     const ParameterBox &box = base.box();
     m_origin = base.jets({0.5 * (box.umin + box.umax)}, {0.5 * (box.vmin + box.vmax)}, 0).front().s;
 }
 
-RowMatrix OffsetSampler::rows(const std::vector<double> &us, const std::vector<double> &vs, bool transposed)
+RowMatrix OffsetSampler::rows(double distance, const std::vector<double> &us, const std::vector<double> &vs,
+                              bool transposed)
 {
     std::optional<gp_Pnt2d> singular;
-    const std::vector<Eigen::Vector3d> points = m_base.offset_grid(us, vs, m_distance, singular);
+    const std::vector<Eigen::Vector3d> points = m_base.offset_grid(us, vs, distance, singular);
     if (singular)
         keep(*singular);
     const std::vector<double> factors = weights(us, vs);
@@ -29,6 +32,16 @@ RowMatrix OffsetSampler::rows(const std::vector<double> &us, const std::vector<d
             factors[i] * (points[i] - m_origin).transpose();
     }
     return result;
+}
+
+RowMatrix OffsetSampler::joined_rows(const std::vector<double> &us, const std::vector<double> &vs, bool transposed)
+{
+    const auto count = static_cast<Eigen::Index>(transposed ? vs.size() : us.size());
+    const auto columns = static_cast<Eigen::Index>(3 * (transposed ? us.size() : vs.size()));
+    RowMatrix joined(count, columns * static_cast<Eigen::Index>(m_distances.size()));
+    for (std::size_t k = 0; k < m_distances.size(); ++k)
+        joined.middleCols(static_cast<Eigen::Index>(k) * columns, columns) = rows(m_distances[k], us, vs, transposed);
+    return joined;
 }
 
 RowMatrix OffsetSampler::weight_rows(const std::vector<double> &us, const std::vector<double> &vs) const

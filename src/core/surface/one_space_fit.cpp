@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "one_space_fit.h"
+
+#include "certificate.h"
+#include "fit_space.h"
+#include "offset_samples.h"
+
+#include "../spline/knot_choice.h"
+#include "../spline/least_squares.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// ||O - Lu Lv O|| <= ||O - Lu O|| + ||Lu|| ||O - Lv O||: each direction starts with a little more than half of the
+// tolerance; the measured error then says by how much to move.
+constexpr double first_direction_share = 0.55;
+constexpr int most_rounds = 8;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int spare_samples = 2;
+// Places of a span at which the deviation is measured: where the certificate follows, for information only.
+constexpr int checks_before_proof = 4;
+constexpr int checks_without_proof = 9;
+
+//! A grid dense in the spans of both directions, with the fits over it.
+struct FitGrid
+{
+    std::vector<double> us;
+    std::vector<double> vs;
+    std::optional<LeastSquaresFit> fit_u;
+    std::optional<LeastSquaresFit> fit_v;
+
+    FitGrid(const BaseSurface &base, const KnotVector &u, const KnotVector &v)
+        : us(span_parameters(u, base.interval_ends_u(), u.degree + 1 + spare_samples, 1)),
+          vs(span_parameters(v, base.interval_ends_v(), v.degree + 1 + spare_samples, 1)),
+          fit_u(LeastSquaresFit::make(u, us)), fit_v(LeastSquaresFit::make(v, vs))
+    {
+    }
+
+    //! Poles (v pole x (3 u poles)) of the tensor-product fit to one row for each u.
+    [[nodiscard]] RowMatrix solve(const RowMatrix &rows) const
+    {
+        return fit_v->solve(transposed_points(fit_u->solve(rows)));
+    }
+};
+
+//! The poles of one distance; `weights` holds the weight of pole (i, j) at (j, 3 i).
+std::vector<Eigen::Vector4d> homogeneous(const RowMatrix &net, const RowMatrix &weights, const Eigen::Vector3d &origin)
+{
+    std::vector<Eigen::Vector4d> poles;
+    poles.reserve(static_cast<std::size_t>(net.size() / 3));
+    for (Eigen::Index i = 0; i < net.cols(); i += 3)
+        for (Eigen::Index j = 0; j < net.rows(); ++j)
+        {
+            const double w = weights(j, i);
+            const Eigen::Vector3d point = net.row(j).segment<3>(i).transpose() + w * origin;
+            poles.emplace_back(point.x(), point.y(), point.z(), w);
+        }
+    return poles;
+}
+
+//! Tensor-product least squares at every distance; a weight function is in the space of the fit and comes out exactly,
+//! but for rounding. \return nothing where the samples do not determine the poles.
+std::vector<TensorSpline> tensor_fits(OffsetSampler &sampler, const FitSpace &space)
+{
+    const FitGrid grid(sampler.base(), space.u, space.v);
+    if (!grid.fit_u || !grid.fit_v)
+        return {};
+    const bool rational = sampler.denominator() == Denominator::BaseWeight;
+    const RowMatrix weights =
+        rational ? grid.solve(sampler.weight_rows(grid.us, grid.vs))
+                 : RowMatrix::Ones(space.v.pole_count(), 3 * static_cast<Eigen::Index>(space.u.pole_count()));
+    std::vector<TensorSpline> splines;
+    for (const double distance : sampler.distances())
+    {
+        const RowMatrix net = grid.solve(sampler.rows(distance, grid.us, grid.vs, false));
+        splines.push_back({space.u, space.v, homogeneous(net, weights, sampler.origin()), rational});
+    }
+    return splines;
+}
+
+//! An error bound, or an error seen, and where it is largest.
+struct ErrorAt
+{
+    double error = 0.0;
+    gp_Pnt2d uv;
+};
+
+//! Largest deviation from the exact offset between the samples of the fit; a model's error comes on top of it.
+ErrorAt deviation(const BaseSurface &base, const TensorSpline &spline, double distance)
+{
+    const int checks = base.spline() ? checks_before_proof : checks_without_proof;
+    const auto us = span_parameters(spline.u, base.interval_ends_u(), checks, 1);
+    const auto vs = span_parameters(spline.v, base.interval_ends_v(), checks, 1);
+    std::optional<gp_Pnt2d> singular;
+    const std::vector<Eigen::Vector3d> exact = base.offset_grid(us, vs, distance, singular);
+    if (singular)
+        return {infinity, *singular};
+    const std::vector<SurfaceJet> fitted = spline.jets(us, vs, 0);
+    double worst = 0.0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        if (const double square = (exact[i] - fitted[i].s).squaredNorm(); square > worst)
+        {
+            worst = square;
+            at = i;
+        }
+    return {std::sqrt(worst) + base.model_error().of_offset(distance),
+            gp_Pnt2d(us[at / vs.size()], vs[at % vs.size()])};
+}
+
+//! The certificate's bound over the trimmed region of a base that is a spline in its own parameters.
+ErrorAt proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline, double distance, double tolerance)
+{
+    const auto needed = [&](const ParameterBox &box) { return analysis.region.may_touch(box); };
+    const double of_model = analysis.base.model_error().of_offset(distance);
+    const Certificate certificate = certify({*analysis.base.spline(), spline, distance, tolerance - of_model, needed});
+    const ParameterBox &worst = certificate.worst;
+    return {of_model + certificate.bound, gp_Pnt2d(0.5 * (worst.umin + worst.umax), 0.5 * (worst.vmin + worst.vmax))};
+}
+
+const ErrorAt &larger(const ErrorAt &a, const ErrorAt &b) { return b.error > a.error ? b : a; }
+
+class OneSpaceFitter
+{
+public:
+    explicit OneSpaceFitter(const OneSpaceRequest &request)
+        : m_request(request), m_base(request.analysis.base), m_options(request.options),
+          m_plain(m_base, request.distances, Denominator::One)
+    {
+        if (m_base.spline() && m_base.spline()->rational)
+            m_rational.emplace(m_base, request.distances, Denominator::BaseWeight);
+    }
+
+    Result<OneSpaceFit> run()
+    {
+        double left = m_request.tolerance; // for the fit
+        for (const double distance : m_request.distances)
+            left = std::min(left, m_request.tolerance - m_base.model_error().of_offset(distance));
+        double share = first_direction_share;
+        for (int round = 0; left > 0.0 && round < most_rounds; ++round)
+        {
+            if (cancelled(round, 0.0))
+                return cancellation();
+            const std::optional<FitSpace> space = choose(share * left, round == 0);
+            if (m_plain.singular())
+                return singular_refusal();
+            if (!space)
+                break;
+            if (cancelled(round, 0.5))
+                return cancellation();
+            OneSpaceFit fit;
+            fit.splines = tensor_fits(*m_sampler, *space);
+            if (fit.splines.empty())
+                break;
+            const double extra = m_request.surcharge ? m_request.surcharge(fit.splines) : 0.0;
+            const ErrorAt seen = seen_error(fit, extra);
+            if (cancelled(round, 0.7))
+                return cancellation();
+            const bool worth_proving = seen.error <= m_request.tolerance && m_base.spline();
+            const ErrorAt worst = worth_proving ? proven_error(fit, extra) : seen;
+            if (worst.error <= m_request.tolerance)
+                return fit;
+            if (!m_closest || worst.error < m_closest->error)
+                m_closest = worst;
+            if (extra >= m_request.tolerance) // a closer fit would not help
+                break;
+            share *= std::clamp(0.9 * m_request.tolerance / worst.error, 0.3, 0.8);
+        }
+        return unreached();
+    }
+
+private:
+    //! The largest deviation of all distances between the samples of the fit.
+    ErrorAt seen_error(OneSpaceFit &fit, double extra) const
+    {
+        ErrorAt seen;
+        for (std::size_t k = 0; k < fit.splines.size(); ++k)
+            seen = larger(seen, deviation(m_base, fit.splines[k], m_request.distances[k]));
+        seen.error += extra;
+        fit.sampled_error = seen.error;
+        return seen;
+    }
+
+    //! The largest proven bound of all distances.
+    ErrorAt proven_error(OneSpaceFit &fit, double extra) const
+    {
+        ErrorAt proven;
+        for (std::size_t k = 0; k < fit.splines.size(); ++k)
+            proven = larger(proven, proven_bound(m_request.analysis, fit.splines[k], m_request.distances[k],
+                                                 m_request.tolerance - extra));
+        proven.error += extra;
+        fit.certified_error = proven.error;
+        return proven;
+    }
+
+    //! Over one, and for a rational base over its own weight function too: what takes fewer poles is kept to.
+    std::optional<FitSpace> choose(double tolerance, bool first)
+    {
+        if (!first)
+            return choose_space(*m_sampler, tolerance, m_options);
+        m_sampler = &m_plain;
+        std::optional<FitSpace> plain;
+        std::optional<FitSpace> rational;
+        tbb::parallel_invoke([&] { plain = choose_space(m_plain, tolerance, m_options); },
+                             [&] {
+                                 if (m_rational)
+                                     rational = choose_space(*m_rational, tolerance, m_options);
+                             });
+        if (!rational || (plain && plain->poles() <= rational->poles()))
+            return plain;
+        m_sampler = &*m_rational;
+        return rational;
+    }
+
+    [[nodiscard]] bool cancelled(int round, double part) const
+    {
+        return m_options.progress && !m_options.progress((round + part) / most_rounds);
+    }
+
+    [[nodiscard]] static Failure cancellation()
+    {
+        return {Status::Cancelled, Stage::Surface, "The computation was cancelled during the surface fit.",
+                std::nullopt, std::nullopt};
+    }
+
+    [[nodiscard]] Failure singular_refusal() const
+    {
+        return {Status::SingularNormal, Stage::Surface,
+                "The surface has no normal at the reported place; trim the face clear of it.",
+                m_request.input.place(*m_plain.singular()), std::nullopt};
+    }
+
+    [[nodiscard]] Failure unreached() const
+    {
+        const ParameterBox &box = m_base.box();
+        const ErrorAt closest =
+            m_closest.value_or(ErrorAt{infinity, gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax))});
+        const std::string reached = std::isfinite(closest.error)
+                                        ? fmt::format("closest {:.3g} mm, at the reported place", closest.error)
+                                        : "no bound was found at the reported place";
+        return {Status::ToleranceNotReached, Stage::Surface,
+                fmt::format("The offset surface could not be proven to be within {:.3g} mm ({}); loosen the "
+                            "tolerance or allow a higher degree.",
+                            m_request.tolerance, reached),
+                m_request.input.place(closest.uv), std::nullopt};
+    }
+
+    const OneSpaceRequest &m_request;
+    const BaseSurface &m_base;
+    const OffsetOptions &m_options;
+    OffsetSampler m_plain;
+    std::optional<OffsetSampler> m_rational;
+    OffsetSampler *m_sampler = nullptr;
+    std::optional<ErrorAt> m_closest;
+};
+
+} // namespace
+
+Result<OneSpaceFit> fit_in_one_space(const OneSpaceRequest &request) { return OneSpaceFitter(request).run(); }
+
+} // namespace laminate_offset
