@@ -489,7 +489,10 @@ TEST(SweptLimits, AreThoseOfExtrudedConics)
     const auto straight = [](const Handle(Geom_Curve) & profile) -> Handle(Geom_Surface) {
         return new Geom_SurfaceOfLinearExtrusion(profile, gp_Dir(0, 0, 1));
     };
-    expect_limits({"ellipse", straight(new Geom_Ellipse(plane, 50, 30)), {0.0, turn, 0.0, 40.0}}, std::nullopt, -18.0);
+    for (const double scale : {1e-2, 1.0, 1e2, 1e4})
+        expect_limits(
+            {"ellipse", straight(new Geom_Ellipse(plane, 50 * scale, 30 * scale)), {0.0, turn, 0.0, 40.0 * scale}},
+            std::nullopt, -18.0 * scale);
     expect_limits({"parabola", straight(new Geom_Parabola(plane, 20)), {-30.0, 40.0, 0.0, 40.0}}, 40.0, std::nullopt);
     expect_limits({"hyperbola", straight(new Geom_Hyperbola(plane, 50, 30)), {-1.0, 0.7, 0.0, 40.0}}, 18.0,
                   std::nullopt);

@@ -39,9 +39,10 @@ struct ModelError
 struct CurvatureStrip
 {
     TensorSpline spline;
-    bool along_u = false; //!< u (else v) is the parameter, with the surface's own values
-    double middle = 0.0;  //!< the other parameter on the middle line
-    double width = 1.0;   //!< of the strip in the other parameter
+    bool along_u = false;  //!< u (else v) is the parameter, with the surface's own values
+    double middle = 0.0;   //!< the other parameter on the middle line
+    double width = 1.0;    //!< of the strip in the other parameter
+    double fineness = 1.0; //!< lengths across the strip, against those of a surface as wide as it is long
 };
 
 //! What a model has to be good for.

@@ -438,7 +438,7 @@ Result<bool> check_self_intersection(const SelfIntersectionQuery &query)
         Status::SelfIntersection, Stage::Surface,
         fmt::format("At the distance {:.6g} mm the offset of the reported place meets that of the place u={:.6g}, "
                     "v={:.6g} ({:.6g}, {:.6g}, {:.6g}); use a smaller distance, or split the face between the two.",
-                    query.input.normal_sign * query.distance, meeting->second.X(), meeting->second.Y(), there.point.X(),
+                    query.input.from_face(query.distance), meeting->second.X(), meeting->second.Y(), there.point.X(),
                     there.point.Y(), there.point.Z()),
         here, std::nullopt};
 }

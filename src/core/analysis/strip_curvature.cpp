@@ -43,7 +43,7 @@ class StripSearch
 public:
     StripSearch(const CurvatureStrip &strip, const LoopRegion &region, const CurvatureSearch &search)
         : m_strip(strip), m_region(region), m_search(search), m_range(region.bounds()),
-          m_bounder(smallest_piece * search.extent * strip.width)
+          m_bounder(smallest_piece * search.extent * strip.fineness)
     {
     }
 

@@ -50,6 +50,15 @@ bool folds(const SurfaceAnalysis &analysis, double distance)
     return distance != 0.0 && limit && std::abs(distance) >= std::abs(limit->folds);
 }
 
+//! Could it not be decided whether the offset folds? Where curvature was only sampled nothing is ever proven, and the
+//! face as it stands is taken as it is.
+bool may_fold(const SurfaceAnalysis &analysis, const InputFace &input, double distance)
+{
+    const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
+    return distance != 0.0 && distance != input.base_distance && !analysis.sampled && limit &&
+           std::abs(distance) >= std::abs(limit->distance);
+}
+
 //! A face on an offset surface that is folded itself has no normal to go along.
 Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &input)
 {
@@ -134,15 +143,21 @@ FeasibleRange feasible_range(const SurfaceAnalysis &analysis, const InputFace &i
 
 Result<bool> check_distance(const SurfaceAnalysis &analysis, const InputFace &input, double distance)
 {
-    if (!folds(analysis, distance))
+    const bool certain = folds(analysis, distance);
+    if (!certain && !may_fold(analysis, input, distance))
         return true;
     const std::optional<CurvatureLimit> &limit = distance < 0.0 ? analysis.negative : analysis.positive;
     Failure failure = refusal_at(Status::CurvatureLimit, "", input, limit->uv);
     failure.feasible_range = feasible_range(analysis, input);
     failure.message =
-        fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
-                    "the offset would fold; stay below that distance or trim the tight region away.",
-                    input.from_face(distance), std::abs(input.from_face(limit->folds)));
+        certain
+            ? fmt::format("The distance {:.6g} mm reaches the radius of curvature {:.6g} mm at the reported place, so "
+                          "the offset would fold; stay below that distance or trim the tight region away.",
+                          input.from_face(distance), std::abs(input.from_face(limit->folds)))
+            : fmt::format("The distance {:.6g} mm could not be proven to stay below the radius of curvature near "
+                          "the reported place; it is proven up to {:.6g} mm: stay below that distance or trim "
+                          "the tight region away.",
+                          input.from_face(distance), input.from_face(limit->distance));
     return failure;
 }
 

@@ -241,7 +241,7 @@ private:
     [[nodiscard]] static CurvatureStrip narrow_strip(const ProfileSpline &profile)
     {
         CurvatureStrip strip;
-        strip.width = 2.0 * half_strip;
+        strip.width = strip.fineness = 2.0 * half_strip;
         strip.spline.u = clamped_knots(2, -half_strip, half_strip, {});
         strip.spline.v = profile.knots;
         strip.spline.rational = profile.rational;

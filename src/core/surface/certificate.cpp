@@ -432,10 +432,18 @@ private:
     SplinePieces m_offset;
 };
 
+bool finite(const TensorSpline &spline)
+{
+    return std::all_of(spline.poles.begin(), spline.poles.end(),
+                       [](const Eigen::Vector4d &pole) { return pole.allFinite(); });
+}
+
 } // namespace
 
 Certificate certify(const CertificateRequest &request)
 {
+    if (!finite(request.base) || !finite(request.offset)) // comparisons would pass over what is no number
+        return {infinity, false, {}};
     const PairCutter pattern(request);
     Certificate certificate;
     std::mutex guard;

@@ -3,6 +3,7 @@
 
 #include "../analysis/analytic_form.h"
 
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_ElementarySurface.hxx>
@@ -73,13 +74,30 @@ Handle(Geom_Surface) offset_form(const AnalyticForm &form, double d, gp_Vec2d &s
                                     torus->MinorRadius() + handedness(torus->Position()) * d);
 }
 
+//! How far the numbers that a surface is given by reach beyond the face: its location, radii and poles may be far away.
+double frame_size(const InputFace &input)
+{
+    if (const auto elementary = Handle(Geom_ElementarySurface)::DownCast(input.surface))
+    {
+        const gp_Pnt location = elementary->Location();
+        const gp_Pnt probe = input.point({input.box.umin, input.box.vmin});
+        return 2.0 * location.XYZ().Modulus() + location.Distance(probe);
+    }
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(input.surface);
+    double largest = 0.0;
+    for (int i = 1; !spline.IsNull() && i <= spline->NbUPoles(); ++i)
+        for (int j = 1; j <= spline->NbVPoles(); ++j)
+            largest = std::max(largest, spline->Pole(i, j).XYZ().Modulus());
+    return largest;
+}
+
 } // namespace
 
 double rounding_of(const InputFace &input, double distance)
 {
     const gp_Pnt probe =
         input.point({0.5 * (input.box.umin + input.box.umax), 0.5 * (input.box.vmin + input.box.vmax)});
-    const double size = probe.XYZ().Modulus() + input.diagonal + std::abs(distance);
+    const double size = probe.XYZ().Modulus() + input.diagonal + std::abs(distance) + frame_size(input);
     return rounding_operations * std::numeric_limits<double>::epsilon() * size;
 }
 

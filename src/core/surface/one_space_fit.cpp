@@ -108,8 +108,10 @@ ErrorAt deviation(const BaseSurface &base, const TensorSpline &spline, double di
     double worst = 0.0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < exact.size(); ++i)
-        if (const double square = (exact[i] - fitted[i].s).squaredNorm(); square > worst)
+        if (const double square = (exact[i] - fitted[i].s).squaredNorm(); !(square <= worst))
         {
+            if (std::isnan(square))
+                return {infinity, gp_Pnt2d(us[i / vs.size()], vs[i % vs.size()])};
             worst = square;
             at = i;
         }

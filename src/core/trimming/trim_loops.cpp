@@ -48,7 +48,7 @@ double error_of_edge(const EdgeContext &context, const TrimmingCurve &base, cons
         const gp_Pnt p = curve->Value(t);
         worst = std::max(worst, (exact.front() - Eigen::Vector3d(p.X(), p.Y(), p.Z())).squaredNorm());
     }
-    return std::sqrt(worst);
+    return std::sqrt(worst) + context.base.model_error().of_offset(context.distance);
 }
 
 //! On a plane the offset of an edge is its translate: no pcurve is involved and nothing is fitted.
