@@ -54,8 +54,8 @@ std::optional<OffsetSurface> exact_offset(const InputFace &input, double distanc
 //! \return nothing where the base is no such shape.
 std::optional<OffsetSurface> hidden_offset(const SurfaceAnalysis &analysis, double distance, double tolerance);
 
-//! A B-spline in the base's parameters, polynomial or over a rational base's own weights, within `tolerance` [mm] of the exact offset, with
-//! degree and knots chosen for few poles. The bound is proven over the trimmed region (certificate.h)
+//! A B-spline in the base's parameters, polynomial or over a rational base's own weights, within `tolerance` [mm] of
+//! the exact offset, with degree and knots chosen for few poles. The bound is proven over the trimmed region (certificate.h)
 //! where the base is a spline in its own parameters or has a model; else it is checked at a dense set of samples.
 //! \param distance along S_u x S_v [mm].
 //! Refusals: SingularNormal, ToleranceNotReached, Cancelled.
