@@ -74,11 +74,16 @@ std::vector<ExactPoint> exact_points(const TopoDS_Face &base, const TopoDS_Face 
     BRepTopAdaptor_FClass2d inside(loops, 1e-9);
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(base);
     const double distance = base.Orientation() == TopAbs_REVERSED ? -outward : outward;
+    // beside the borders of a part, not on them: a crease has the normals of both sides
+    const double inset = loops.IsSame(base) ? 0.0 : 1e-6;
+    const auto between = [&](double low, double high, int i) {
+        return low + (high - low) * (inset + (1.0 - 2.0 * inset) * i / grid);
+    };
     std::vector<ExactPoint> points;
     for (int i = 0; i <= grid; ++i)
         for (int j = 0; j <= grid; ++j)
         {
-            const gp_Pnt2d uv(u0 + (u1 - u0) * i / grid, v0 + (v1 - v0) * j / grid);
+            const gp_Pnt2d uv(between(u0, u1, i), between(v0, v1, j));
             if (inside.Perform(uv) == TopAbs_OUT)
                 continue;
             gp_Pnt point;
