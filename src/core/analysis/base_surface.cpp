@@ -3,6 +3,8 @@
 
 #include "swept_model.h"
 
+#include "../spline/geom_values.h"
+
 #include <GeomAbs_Shape.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomConvert.hxx>
@@ -34,8 +36,6 @@ constexpr double singular_sine = 1e-9;
 // The limit of the normal at a singular place is accepted when two nested probes agree to this angle [rad].
 constexpr double limit_agreement = 1e-4;
 
-Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
-
 Handle(Geom_BSplineSurface) restricted(const Handle(Geom_BSplineSurface) & surface, const ParameterBox &box)
 {
     Handle(Geom_BSplineSurface) copy = Handle(Geom_BSplineSurface)::DownCast(surface->Copy());
@@ -47,16 +47,6 @@ Handle(Geom_BSplineSurface) restricted(const Handle(Geom_BSplineSurface) & surfa
     if (!whole || wraps)
         copy->Segment(box.umin, box.umax, box.vmin, box.vmax);
     return copy;
-}
-
-//! Cutting a periodic surface may move its parameters by whole periods: back to where the loops are.
-void realign(KnotVector &kv, double low, double high)
-{
-    const double shift = 0.5 * (low + high) - 0.5 * (kv.front() + kv.back());
-    if (std::abs(shift) <= 0.1 * (high - low))
-        return;
-    for (double &t : kv.knots)
-        t += shift;
 }
 
 bool keeps_parameters(const Handle(Geom_Curve) & profile)

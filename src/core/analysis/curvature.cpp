@@ -208,8 +208,7 @@ std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion
     const double wu = base.box().umax - base.box().umin;
     const double wv = base.box().vmax - base.box().vmin;
     const auto offer = [&](const SurfaceJet &jet, const gp_Pnt2d &uv) {
-        const auto k =
-            principal_curvatures({jet.s, wu * jet.u, wv * jet.v, wu * wu * jet.uu, wu * wv * jet.uv, wv * wv * jet.vv});
+        const auto k = principal_curvatures(jet, wu, wv);
         if (k && -k->first > best.first.value)
             best.first = {-k->first, uv};
         if (k && k->second > best.second.value)
@@ -294,6 +293,11 @@ std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &
     const double mean = 0.5 * (l + k);
     const double spread = std::hypot(0.5 * (l - k), m);
     return std::pair{mean - spread, mean + spread};
+}
+
+std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &jet, double wu, double wv)
+{
+    return principal_curvatures({jet.s, wu * jet.u, wv * jet.v, wu * wu * jet.uu, wu * wv * jet.uv, wv * wv * jet.vv});
 }
 
 CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &region, const CurvatureSearch &search)

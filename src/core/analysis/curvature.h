@@ -40,6 +40,9 @@ struct CurvatureExtremes
 //! if the parameters are scaled so that each runs over a range of about 1.
 std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &jet);
 
+//! The same for parameters that run over ranges of about wu and wv.
+std::optional<std::pair<double, double>> principal_curvatures(const SurfaceJet &jet, double wu, double wv);
+
 //! What to search for.
 struct CurvatureSearch
 {

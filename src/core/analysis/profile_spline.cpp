@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profile_spline.h"
 
+#include "../spline/geom_values.h"
+
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -19,8 +21,6 @@ namespace laminate_offset
 namespace
 {
 
-Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
-
 Eigen::Vector4d homogeneous(const Eigen::Vector3d &p) { return {p.x(), p.y(), p.z(), 1.0}; }
 
 Handle(Geom_BSplineCurve) as_spline(const Handle(Geom_Curve) & curve)
@@ -30,16 +30,6 @@ Handle(Geom_BSplineCurve) as_spline(const Handle(Geom_Curve) & curve)
     if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve))
         return GeomConvert::CurveToBSplineCurve(bezier);
     return {};
-}
-
-//! Cutting a periodic curve may move its parameters by whole periods.
-void realign(KnotVector &kv, double low, double high)
-{
-    const double shift = 0.5 * (low + high) - 0.5 * (kv.front() + kv.back());
-    if (std::abs(shift) <= 0.1 * (high - low))
-        return;
-    for (double &t : kv.knots)
-        t += shift;
 }
 
 ProfileSpline from_spline(Geom_BSplineCurve &curve, double low, double high)

@@ -81,12 +81,8 @@ private:
         const double wu = m_strip.along_u ? m_range.umax - m_range.umin : m_strip.width;
         const double wv = m_strip.along_u ? m_strip.width : m_range.vmax - m_range.vmin;
         for (std::size_t i = 0; i < points.size(); ++i)
-        {
-            const SurfaceJet &jet = jets[i];
-            if (const auto k = principal_curvatures(
-                    {jet.s, wu * jet.u, wv * jet.v, wu * wu * jet.uu, wu * wv * jet.uv, wv * wv * jet.vv}))
+            if (const auto k = principal_curvatures(jets[i], wu, wv))
                 offer(*k, points[i]);
-        }
     }
 
     //! The pieces between the knots and the ends of the loops' range.

@@ -3,6 +3,8 @@
 
 #include "profile_bounds.h"
 
+#include "../spline/geom_values.h"
+
 #include <Eigen/Dense>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
@@ -36,8 +38,6 @@ constexpr double half_strip = 2e-4;
 // The normals of a model lie this near to the base's whatever the tolerance.
 constexpr double largest_slope_error = 1e-3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
 
 //! From a bound x of |a - b| / |b| to one of the difference of the directions (Dunkl & Williams 1964).
 double turn(double x) { return x < 1.0 ? 2.0 * x / (2.0 - x) : infinity; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analytic_curve.h"
 
+#include "../spline/geom_values.h"
+
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
@@ -33,7 +35,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double operations = 128.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
+using laminate_offset::vector; // else the overloads below hide it
 Eigen::Vector3d vector(const gp_XY &p) { return {p.X(), p.Y(), 0.0}; }
 Eigen::Vector3d vector(const gp_Pnt &p) { return vector(p.XYZ()); }
 Eigen::Vector3d vector(const gp_Pnt2d &p) { return vector(p.XY()); }

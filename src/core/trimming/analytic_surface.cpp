@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analytic_surface.h"
 
+#include "../spline/geom_values.h"
+
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -26,8 +28,6 @@ constexpr double operations = 256.0;
 constexpr double narrowest_patch = 1e-6;
 // A patch may reach over its cell by that much; the blossom's weights then turn a little negative.
 constexpr double blossom_margin = 1.001;
-
-Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
 
 using Basis = std::array<double, max_spline_degree + 1>;
 
