@@ -38,15 +38,18 @@ using laminate_offset::Result;
 
 constexpr double slow = 200.0; // ms from which a run is repeated less
 constexpr double very_slow = 1500.0;
+constexpr double long_enough = 40.0; // ms that the counted runs last together
 constexpr std::size_t projected_points = 200;
 
 void set_text(char *to, std::size_t size, const std::string &text) { to[text.copy(to, size - 1)] = '\0'; }
 
-//! Median time of the runs [ms]; unless it is slow, a first run for threads and caches does not count.
-double timed(int runs, const std::function<void()> &run)
+//! Median time [ms] of so many runs at least; quick ones go on until they are `long_enough`, and, unless it is slow, a
+//! first run for threads and caches does not count.
+double timed(int least_runs, const std::function<void()> &run)
 {
     std::vector<double> times;
-    for (int i = 0; i <= runs; ++i)
+    double total = 0.0;
+    for (int i = 0; i <= least_runs || total < long_enough; ++i)
     {
         if (i == 1 && times.front() < slow)
             times.clear();
@@ -55,6 +58,7 @@ double timed(int runs, const std::function<void()> &run)
         times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         if (times.back() > very_slow || (times.back() > slow && i >= 1))
             break;
+        total += times.back();
     }
     std::sort(times.begin(), times.end());
     return times[times.size() / 2];
