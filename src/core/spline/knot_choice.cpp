@@ -11,10 +11,11 @@ namespace laminate_offset
 namespace
 {
 
-// Samples of an interval between breaks at first; spans of the knots get degree + 3 when they need them.
+// Samples of an interval between breaks at first.
 constexpr int least_per_interval = 3;
 constexpr int least_samples = 60;
-constexpr int spare_samples = 3;
+// Samples that a span of the knots gets, when it needs some, beyond the poles that its own knots bring.
+constexpr int spare_samples = 2;
 // Part of the tolerance that the compression of the rows may use up.
 constexpr double compression_share = 0.02;
 // Spans are not halved below this part of the whole range.
@@ -58,22 +59,24 @@ public:
         take(chebyshev_parameters(breaks, std::max(least_per_interval, (least_samples + intervals - 1) / intervals)));
     }
 
-    //! Where some span does not hold more samples than the degree, takes more in all spans that hold few.
+    //! Where some span holds hardly more samples than its knots bring poles, takes more in all spans that hold few.
     void densify(const KnotVector &kv)
     {
         if (m_problem.fine)
             return;
-        const int wanted = kv.degree + 1 + spare_samples;
         bool short_of_samples = false;
         std::vector<double> added;
-        const std::vector<double> spans = kv.breaks();
+        const std::vector<Knot> ends = kv.distinct();
+        const auto poles_at = [&](std::size_t i) { return i == 0 || i + 1 == ends.size() ? 1 : ends[i].multiplicity; };
         auto from = m_parameters.begin();
-        for (std::size_t i = 1; i < spans.size(); ++i)
+        for (std::size_t i = 1; i < ends.size(); ++i)
         {
-            const auto to = std::lower_bound(from, m_parameters.end(), spans[i]);
-            short_of_samples = short_of_samples || to - from <= kv.degree;
+            const auto to = std::lower_bound(from, m_parameters.end(), ends[i].parameter);
+            const int poles = std::max(poles_at(i - 1), poles_at(i));
+            const int wanted = poles + spare_samples;
+            short_of_samples = short_of_samples || to - from <= poles;
             if (to - from < wanted)
-                add_chebyshev(spans[i - 1], spans[i], wanted, added);
+                add_chebyshev(ends[i - 1].parameter, ends[i].parameter, wanted, added);
             from = to;
         }
         if (short_of_samples)

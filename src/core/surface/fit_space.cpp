@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace laminate_offset
 {
@@ -15,6 +16,7 @@ namespace
 {
 
 constexpr int least_rows = 12;
+constexpr int fewest_poles = 2; // of a direction
 // Weights that differ by no more than this relatively are one constant.
 constexpr double same_weight = 1e-14;
 
@@ -69,9 +71,37 @@ void fit_over_weight(const TensorSpline &base, KnotProblem &along_u, KnotProblem
         require(base.v, along_v);
 }
 
+using Choices = std::pair<std::optional<KnotChoice>, std::optional<KnotChoice>>;
+
+//! Both directions at once: they share nothing but the base.
+Choices choose_both(const KnotProblem &along_u, const KnotProblem &along_v)
+{
+    Choices choices;
+    tbb::parallel_invoke([&] { choices.first = choose_knots(along_u); },
+                         [&] { choices.second = choose_knots(along_v); });
+    return choices;
+}
+
+//! The direction with fewer breaks first: what it takes limits the other one, which costs more.
+Choices choose_both(KnotProblem along_u, KnotProblem along_v, int most_poles)
+{
+    Choices choices;
+    const bool u_first = along_u.breaks.size() <= along_v.breaks.size();
+    KnotProblem &problem = u_first ? along_u : along_v;
+    KnotProblem &other = u_first ? along_v : along_u;
+    problem.max_poles = std::min(problem.max_poles, most_poles / fewest_poles);
+    std::optional<KnotChoice> first = choose_knots(problem);
+    if (!first)
+        return choices;
+    other.max_poles = std::min(other.max_poles, most_poles / first->knots.pole_count());
+    std::optional<KnotChoice> second = choose_knots(other);
+    return u_first ? Choices{std::move(first), std::move(second)} : Choices{std::move(second), std::move(first)};
+}
+
 } // namespace
 
-std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options)
+std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options,
+                                     int most_poles)
 {
     const BaseSurface &base = sampler.base();
     const ParameterBox &box = base.box();
@@ -91,10 +121,8 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
     along_v.sample = [&](const std::vector<double> &vs) { return sampler.joined_rows(rows_u, vs, true); };
     if (sampler.denominator() == Denominator::BaseWeight)
         fit_over_weight(*base.spline(), along_u, along_v);
-    // both at once: they share nothing but the base
-    std::optional<KnotChoice> u;
-    std::optional<KnotChoice> v;
-    tbb::parallel_invoke([&] { u = choose_knots(along_u); }, [&] { v = choose_knots(along_v); });
+    const auto [u, v] = most_poles < std::numeric_limits<int>::max() ? choose_both(along_u, along_v, most_poles)
+                                                                     : choose_both(along_u, along_v);
     if (!u || !v || sampler.singular())
         return std::nullopt;
     return FitSpace{u->knots, v->knots};

@@ -8,6 +8,7 @@
 #include "../base/options.h"
 #include "../spline/knot_vector.h"
 
+#include <limits>
 #include <optional>
 
 namespace laminate_offset
@@ -21,9 +22,11 @@ struct FitSpace
     [[nodiscard]] int poles() const { return u.pole_count() * v.pole_count(); }
 };
 
-//! Few poles such that each direction alone can follow the samples of all distances to within `tolerance` [mm]. Over the base's weight
-//! function the space holds that function too.
+//! Few poles such that each direction alone can follow the samples of all distances to within `tolerance` [mm]. Over
+//! the base's weight function the space holds that function too.
+//! \param most_poles a space of more poles than that is of no use; the search is left as soon as that shows.
 //! \return nothing where no admissible degree reaches the tolerance, or where a normal is missing (see the sampler).
-std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options);
+std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options,
+                                     int most_poles = std::numeric_limits<int>::max());
 
 } // namespace laminate_offset

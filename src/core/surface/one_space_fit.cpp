@@ -9,7 +9,6 @@
 #include "../spline/least_squares.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -204,20 +203,19 @@ private:
         return proven;
     }
 
-    //! Over one, and for a rational base over its own weight function too: what takes fewer poles is kept to.
+    //! A rational base over its own weight function, and over one if that takes no more poles; what wins is kept to.
     std::optional<FitSpace> choose(double tolerance, bool first)
     {
         if (!first)
             return choose_space(*m_sampler, tolerance, m_options);
         m_sampler = &m_plain;
-        std::optional<FitSpace> plain;
-        std::optional<FitSpace> rational;
-        tbb::parallel_invoke([&] { plain = choose_space(m_plain, tolerance, m_options); },
-                             [&] {
-                                 if (m_rational)
-                                     rational = choose_space(*m_rational, tolerance, m_options);
-                             });
-        if (!rational || (plain && plain->poles() <= rational->poles()))
+        if (!m_rational)
+            return choose_space(m_plain, tolerance, m_options);
+        const std::optional<FitSpace> rational = choose_space(*m_rational, tolerance, m_options);
+        if (!rational)
+            return choose_space(m_plain, tolerance, m_options);
+        const std::optional<FitSpace> plain = choose_space(m_plain, tolerance, m_options, rational->poles());
+        if (plain && plain->poles() <= rational->poles())
             return plain;
         m_sampler = &*m_rational;
         return rational;
