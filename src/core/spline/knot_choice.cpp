@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace laminate_offset
 {
@@ -134,8 +135,9 @@ class DegreeSearch
 {
 public:
     //! \param most_poles the search is given up above so many.
-    DegreeSearch(const KnotProblem &problem, SampledData &data, int degree, int most_poles)
-        : m_problem(problem), m_data(data), m_degree(degree), m_most_poles(most_poles)
+    //! \param start knots of another degree that serve it: the search starts from them.
+    DegreeSearch(const KnotProblem &problem, SampledData &data, int degree, int most_poles, const KnotVector *start)
+        : m_problem(problem), m_data(data), m_degree(degree), m_most_poles(most_poles), m_start(start)
     {
         for (const Knot &knot : problem.required)
         {
@@ -262,10 +264,31 @@ private:
         return added;
     }
 
+    //! The knots to start from: what the space has to hold, and where another degree needed knots. Where that one gave
+    //! up continuity with a multiple knot, this one has no more of it.
+    [[nodiscard]] std::vector<double> first_interior() const
+    {
+        if (!m_start)
+            return m_required;
+        std::vector<double> interior;
+        for (const Knot &knot : m_start->distinct())
+        {
+            if (knot.parameter <= m_problem.low || knot.parameter >= m_problem.high)
+                continue;
+            const int same_continuity = std::clamp(knot.multiplicity + m_degree - m_start->degree, 1, m_degree);
+            const int multiplicity = knot.multiplicity == 1 ? 1 : same_continuity;
+            interior.insert(interior.end(), static_cast<std::size_t>(multiplicity), knot.parameter);
+        }
+        std::vector<double> joined;
+        std::set_union(interior.begin(), interior.end(), m_required.begin(), m_required.end(),
+                       std::back_inserter(joined));
+        return joined;
+    }
+
     //! Adds knots until the tolerance holds at every sample.
     std::optional<Trial> refine()
     {
-        std::vector<double> interior = m_required;
+        std::vector<double> interior = first_interior();
         while (static_cast<int>(interior.size()) + m_degree + 1 <= m_most_poles)
         {
             const KnotVector kv = clamped_knots(m_degree, m_problem.low, m_problem.high, interior);
@@ -383,6 +406,7 @@ private:
     SampledData &m_data;
     int m_degree;
     int m_most_poles;
+    const KnotVector *m_start;
     std::vector<double> m_required; //!< interior knots, as often as this degree needs them
     double m_part_left = 1.0;
 };
@@ -404,7 +428,7 @@ std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
         const double judged = fewest > small_fit ? std::max(least_part_left, luckier * part_left) : least_part_left;
         const double hope = degree < lowest_thinned_degree ? 1.0 : judged;
         const int most = best ? static_cast<int>(fewest / hope) : problem.max_poles;
-        DegreeSearch search(problem, data, degree, std::min(most, problem.max_poles));
+        DegreeSearch search(problem, data, degree, std::min(most, problem.max_poles), best ? &best->knots : nullptr);
         const std::optional<Trial> trial = search.run();
         if (!trial)
             continue;

@@ -65,6 +65,18 @@ struct Scalars
     }
 };
 
+using Corners = Eigen::Array22d; //!< u down, v across
+
+//! The values at the corners of the rectangle.
+Corners corners_of(const Bernstein &b)
+{
+    const int m = b.degree_u();
+    const int n = b.degree_v();
+    Corners result;
+    result << b.coefficient(0, 0), b.coefficient(0, n), b.coefficient(m, 0), b.coefficient(m, n);
+    return result;
+}
+
 //! Length of everything on one rectangle that does not change while its scalars are halved.
 struct Frame
 {
@@ -97,10 +109,17 @@ public:
             bound = std::min(bound, try_frame(piece, true));
         if (bound <= m_target || depth >= geometric_depth)
             return bound;
+        const Corners corners = deviations();
+        if (corners.maxCoeff() > m_target) // no proof can get below what is attained
+            return bound;
         Piece upper = piece;
         const bool along_u = bends_more_in_u(piece.base.numerator);
         piece.base.halve(along_u, upper.base);
         piece.offset.halve(along_u, upper.offset);
+        // the worse half first: where the piece fails, that shows soonest
+        if ((along_u ? corners.row(1).maxCoeff() > corners.row(0).maxCoeff()
+                     : corners.col(1).maxCoeff() > corners.col(0).maxCoeff()))
+            std::swap(piece, upper);
         const double first = prove(piece, depth + 1);
         if (first > m_target) // this half settles it; the bound of the whole still holds
             return bound;
@@ -149,9 +168,28 @@ private:
             return infinity;
         square_of_difference(piece, scalars);
         scalars.omega = piece.omega();
+        m_corner_weights = corners_of(piece.omega());
         rounding(piece, weights, frame);
         m_sign_holds = m_d == 0.0 || centre(m_w).dot(centre(m_tangents.normal())) * m_d > 0.0;
         return frame_bound(frame);
+    }
+
+    //! The deviation at the corners of the last frame's piece, u down and v across; 0 where there is no normal.
+    [[nodiscard]] Corners deviations() const
+    {
+        const Bernstein3 &normals = m_tangents.normal();
+        Corners w[3];
+        Corners n[3];
+        for (std::size_t e = 0; e < 3; ++e)
+        {
+            w[e] = corners_of(m_w[e]) / m_corner_weights;
+            n[e] = corners_of(normals[e]);
+        }
+        const Corners length = (n[0].square() + n[1].square() + n[2].square()).sqrt();
+        Corners square = Corners::Zero();
+        for (std::size_t e = 0; e < 3; ++e)
+            square += (w[e] - m_d * n[e] / length).square();
+        return (length > 0.0).select(square.sqrt(), 0.0);
     }
 
     //! W = omega (O - S)
@@ -375,6 +413,7 @@ private:
     double m_d;
     double m_target;
     bool m_sign_holds = true;
+    Corners m_corner_weights = Corners::Ones();
     PieceTangents m_tangents;
     Bernstein3 m_w, m_t1, m_t2, m_divided;
     Bernstein m_temporary;
