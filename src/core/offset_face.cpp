@@ -2,18 +2,17 @@
 #include "offset_face.h"
 
 #include "analysis/creases.h"
-#include "analysis/self_intersection.h"
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
+#include "report/face_report.h"
+#include "surface/check_meetings.h"
 #include "surface/offset_surface.h"
 #include "topology/build_face.h"
+#include "trimming/check_edges.h"
 #include "trimming/tear.h"
 #include "trimming/trim_loops.h"
 
-#include <GeomAdaptor_Surface.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <TopoDS.hxx>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -167,13 +166,13 @@ private:
             offset_loops({input, analysis.value().base, surface.value(), distance, edge_share * options.tolerance});
         if (!loops)
             return loops.failure();
-        if (const Result<bool> close = check_edges(input, surface.value(), loops.value()); !close)
+        if (const Result<bool> close = check_edges(input, surface.value(), loops.value(), options.tolerance); !close)
             return close.failure();
         enter(Stage::Topology);
         const Result<TopoDS_Face> face = build_face(input, surface.value(), loops.value());
         if (!face)
             return face.failure();
-        OffsetReport own = report(input, analysis.value(), surface.value(), loops.value());
+        OffsetReport own = face_report(input, analysis.value(), surface.value(), loops.value(), options);
         return Made{std::move(surface).value(), std::move(loops).value(), face.value(), std::move(own)};
     }
 
@@ -185,83 +184,10 @@ private:
         Result<OffsetSurface> made = offset_surface(analysis, input, distance, options);
         if (!made)
             return made;
-        if (const Result<bool> clear = check_meetings(input, analysis, made.value(), distance); !clear)
+        if (const Result<bool> clear = check_meetings(analysis, input, made.value(), distance, options.tolerance);
+            !clear)
             return clear.failure();
         return made;
-    }
-
-    Result<bool> check_meetings(const InputFace &input, const SurfaceAnalysis &analysis, const OffsetSurface &surface,
-                                double distance) const
-    {
-        const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface.geometry);
-        if (spline.IsNull())
-            return true;
-        return check_self_intersection({analysis, input, from_geom(spline), distance, m_options.tolerance});
-    }
-
-    //! A base whose seam closes only within its own tolerance passes that gap on to the offset's seam.
-    Result<bool> check_edges(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops) const
-    {
-        const std::optional<double> error = loops.edge_error(surface.certified_error);
-        if (!error || *error <= m_options.tolerance)
-            return true;
-        const auto worst =
-            std::max_element(loops.edges.begin(), loops.edges.end(), [](const OffsetEdge &a, const OffsetEdge &b) {
-                return a.deviation.bound < b.deviation.bound;
-            });
-        const gp_Pnt2d uv =
-            worst->pcurve->Value(0.5 * (worst->first + worst->last)).Translated(-surface.parameter_shift);
-        return Failure{
-            Status::EdgeToleranceNotReached, Stage::Trimming,
-            fmt::format("The edge at the reported place is off by up to {:.3g} mm, because the base does not "
-                        "close there any better; loosen the tolerance or repair the base's seam.",
-                        *error),
-            input.place(uv), std::nullopt};
-    }
-
-    static SurfaceSummary summary(const Handle(Geom_Surface) & surface)
-    {
-        SurfaceSummary result;
-        switch (GeomAdaptor_Surface(surface).GetType())
-        {
-        case GeomAbs_Plane: result.type = "plane"; break;
-        case GeomAbs_Cylinder: result.type = "cylinder"; break;
-        case GeomAbs_Cone: result.type = "cone"; break;
-        case GeomAbs_Sphere: result.type = "sphere"; break;
-        case GeomAbs_Torus: result.type = "torus"; break;
-        case GeomAbs_SurfaceOfRevolution: result.type = "revolution"; break;
-        case GeomAbs_SurfaceOfExtrusion: result.type = "extrusion"; break;
-        default: result.type = "bspline"; break;
-        }
-        if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
-        {
-            result.degree_u = spline->UDegree();
-            result.degree_v = spline->VDegree();
-            result.poles_u = spline->NbUPoles();
-            result.poles_v = spline->NbVPoles();
-            result.rational = spline->IsURational() || spline->IsVRational();
-        }
-        return result;
-    }
-
-    OffsetReport report(const InputFace &input, const SurfaceAnalysis &analysis, const OffsetSurface &surface,
-                        const TrimLoops &loops) const
-    {
-        OffsetReport report;
-        report.message = sentence(Status::Ok);
-        report.method = m_options.method;
-        report.distance = m_options.distance;
-        report.tolerance = m_options.tolerance;
-        report.certified_error = surface.certified_error;
-        report.sampled_error = surface.sampled_error;
-        report.edge_error = loops.edge_error(surface.certified_error);
-        report.sampled_edge_error = loops.sampled_error();
-        report.surface = summary(surface.geometry);
-        report.limits = feasible_range(analysis, input);
-        report.loops = static_cast<int>(input.loops.size());
-        report.edges = input.edge_count();
-        report.faces = 1;
-        return report;
     }
 
     //! Errors are the largest over the parts, limits the tightest; the surface is that of the largest part.
