@@ -78,15 +78,17 @@ void Bernstein::add_product(double factor, const Bernstein &a, const Bernstein &
 {
     // With b's rows as far apart as those of the product, each coefficient of a adds one long run.
     const int width = m_n + 1;
-    const int run = b.m_m * width + b.m_n + 1;
+    const auto run_of = [width](const Bernstein &x) { return x.m_m * width + x.m_n + 1; };
+    const int run = run_of(b);
+    if (a.m_c.size() * static_cast<std::size_t>(run) > b.m_c.size() * static_cast<std::size_t>(run_of(a)))
+        return add_product(factor, b, a);
     thread_local std::vector<double> spread;
-    spread.assign(static_cast<std::size_t>(run), 0.0);
-    for (int k = 0; k <= b.m_m; ++k)
-        std::copy_n(b.m_c.data() + k * (b.m_n + 1), b.m_n + 1, spread.data() + k * width);
-    for (int i = 0; i <= a.m_m; ++i)
-        for (int j = 0; j <= a.m_n; ++j)
-            if (const double x = factor * a.scaled(i, j); x != 0.0)
-                add_multiple(x, spread.data(), m_c.data() + i * width + j, run);
+    spread.assign(static_cast<std::size_t>(run + 2 * convolution_margin), 0.0);
+    double *const from = spread.data() + convolution_margin;
+    for (int i = 0; i <= b.m_m; ++i)
+        for (int j = 0; j <= b.m_n; ++j)
+            from[i * width + j] = factor * b.scaled(i, j);
+    add_convolution(a.m_c.data(), a.m_m + 1, a.m_n + 1, width, from, run, m_c.data(), static_cast<int>(m_c.size()));
 }
 
 void Bernstein::add_raised(double factor, const Bernstein &a)

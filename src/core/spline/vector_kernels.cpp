@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "vector_kernels.h"
 
+#include <algorithm>
+
 // Compiled for wide registers too; the loader picks what the machine has. Fused multiply-add is left out, so that
 // all machines round alike. Sanitizers come too late for functions that are picked by the loader.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&                           \
@@ -18,6 +20,40 @@ void add_multiple(double factor, const double *__restrict from, double *__restri
 {
     for (int k = 0; k < count; ++k)
         to[k] += factor * from[k];
+}
+
+// Spelled out, since compilers would turn the loops of add_convolution round.
+using Four = double __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+// A block of sums stays in registers until it is complete.
+LAMINATE_OFFSET_VECTORISED
+void add_convolution(const double *__restrict factors, int rows, int columns, int width, const double *__restrict from,
+                     int run, double *__restrict to, int count)
+{
+    constexpr int block = convolution_margin + 1;
+    static_assert(block == 4 * sizeof(Four) / sizeof(double));
+    for (int t = 0; t < count; t += block)
+    {
+        Four a{}, b{}, c{}, d{};
+        for (int i = 0; i < rows; ++i)
+        {
+            const int start = t - i * width;
+            const int last = std::min(columns - 1, start + block - 1);
+            for (int j = std::max(0, start - run + 1); j <= last; ++j)
+            {
+                const double factor = factors[i * columns + j];
+                const auto *x = reinterpret_cast<const Four *>(from + (start - j));
+                a += factor * x[0];
+                b += factor * x[1];
+                c += factor * x[2];
+                d += factor * x[3];
+            }
+        }
+        const Four sums[4] = {a, b, c, d};
+        const auto *plain = reinterpret_cast<const double *>(sums);
+        for (int k = 0; k < std::min(block, count - t); ++k)
+            to[t + k] += plain[k];
+    }
 }
 
 LAMINATE_OFFSET_VECTORISED
