@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What is read from a face, what is refused and with which word, and that the face itself stays untouched.
+#include "support/random_cases.h"
 #include "support/sample_faces.h"
 
 #include <laminate_offset/input/input_face.h>
+#include <laminate_offset/input/pcurve_pieces.h>
 #include <laminate_offset/offset_face.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -13,6 +15,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box2d.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -283,6 +286,60 @@ TEST(InputFace, ItsBoxHoldsTheLoopsAndNothingMore)
     EXPECT_NEAR(part.box.vmax, 0.7, 1e-9);
     EXPECT_GT(part.diagonal, 50.0);
     EXPECT_LT(part.diagonal, 150.0);
+}
+
+//! Samples of a trimming spline lie in the boxes of their pieces, which are hardly larger than they have to be.
+TEST(PcurvePieces, BoxesHoldTheirPartsOfASpline)
+{
+    RandomCases random;
+    int samples = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+        const KnotVector kv = random_knots(random, random.integer(1, 9), random.integer(2, 8), 3, -2.0, 5.0);
+        const std::vector<Knot> knots = kv.distinct();
+        TColStd_Array1OfReal parameters(1, static_cast<int>(knots.size())), weights(1, kv.pole_count());
+        TColStd_Array1OfInteger multiplicities(1, static_cast<int>(knots.size()));
+        for (int k = 1; k <= parameters.Length(); ++k)
+        {
+            parameters(k) = knots[static_cast<std::size_t>(k) - 1].parameter;
+            multiplicities(k) = std::min(knots[static_cast<std::size_t>(k) - 1].multiplicity,
+                                         k == 1 || k == parameters.Length() ? kv.degree + 1 : kv.degree);
+        }
+        int count = -kv.degree - 1;
+        for (int k = 1; k <= parameters.Length(); ++k)
+            count += multiplicities(k);
+        TColgp_Array1OfPnt2d poles(1, count);
+        weights.Resize(1, count, false);
+        for (int k = 1; k <= count; ++k)
+        {
+            poles(k) = gp_Pnt2d(k + random.uniform(-2.0, 2.0), random.uniform(-30.0, 30.0));
+            weights(k) = i % 2 == 0 ? 1.0 : random.magnitude(0.2, 5.0);
+        }
+        const Handle(Geom2d_BSplineCurve) curve =
+            new Geom2d_BSplineCurve(poles, weights, parameters, multiplicities, kv.degree);
+        const double first = i % 3 == 0 ? -2.0 : random.uniform(-1.9, 0.0);
+        const double last = i % 3 == 0 ? 5.0 : random.uniform(1.0, 4.9);
+        const std::vector<PcurvePiece> pieces = cut_up(curve, first, last);
+        for (std::size_t p = 0; p < pieces.size(); ++p)
+        {
+            Bnd_Box2d seen;
+            for (int k = 0; k <= 40; ++k, ++samples)
+            {
+                const double t =
+                    first + (last - first) * (static_cast<double>(p) + k / 40.0) / static_cast<double>(pieces.size());
+                const gp_Pnt2d uv = curve->Value(t);
+                seen.Add(uv);
+                EXPECT_GE(uv.X(), pieces[p].box.umin - 1e-10);
+                EXPECT_LE(uv.X(), pieces[p].box.umax + 1e-10);
+                EXPECT_GE(uv.Y(), pieces[p].box.vmin - 1e-10);
+                EXPECT_LE(uv.Y(), pieces[p].box.vmax + 1e-10);
+            }
+            double umin, vmin, umax, vmax;
+            seen.Get(umin, vmin, umax, vmax);
+            EXPECT_LE(pieces[p].box.vmax - pieces[p].box.vmin, 3.0 * (vmax - vmin) + 1.0);
+        }
+    }
+    EXPECT_GT(samples, 10000);
 }
 
 TEST(InputFace, SeesSeamsAndDegeneratedEdges)

@@ -51,11 +51,11 @@ CreaseLine sharpest(const BaseSurface &base, const LoopRegion &region, bool cons
         const gp_Pnt2d uv = place(along[i], 0.0);
         const auto before = base.unit_normal(a, uv.X(), uv.Y());
         const auto after = base.unit_normal(b, uv.X(), uv.Y());
-        if (!before || !after || !region.contains(place(along[i], -inside_step)) ||
-            !region.contains(place(along[i], inside_step)))
+        if (!before || !after)
             continue;
         const double angle = std::atan2(before->cross(*after).norm(), before->dot(*after));
-        if (angle > worst.angle)
+        if (angle > worst.angle && region.contains(place(along[i], -inside_step)) &&
+            region.contains(place(along[i], inside_step)))
         {
             worst.angle = angle;
             worst.uv = uv;

@@ -10,6 +10,20 @@ namespace
 
 // A loop that runs along a rectangle's border does not touch it; pcurves miss their line by rounding.
 constexpr double grazing = 1e-10;
+constexpr std::size_t pieces_per_band = 4;
+
+ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
+{
+    ParameterBox box = pieces.empty() ? ParameterBox{} : pieces.front().box;
+    for (const PcurvePiece &piece : pieces)
+    {
+        box.umin = std::min(box.umin, piece.box.umin);
+        box.umax = std::max(box.umax, piece.box.umax);
+        box.vmin = std::min(box.vmin, piece.box.vmin);
+        box.vmax = std::max(box.vmax, piece.box.vmax);
+    }
+    return box;
+}
 
 } // namespace
 
@@ -19,14 +33,41 @@ LoopRegion::LoopRegion(const InputFace &input)
         for (const TrimmingCurve &curve : loop.curves)
             if (curve.bounds_face())
                 m_pieces.insert(m_pieces.end(), curve.pieces.begin(), curve.pieces.end());
+    m_bounds = bounds_of(m_pieces);
+    const std::size_t bands = m_pieces.size() / pieces_per_band + 1;
+    m_bands.assign(bands + 1, 0);
+    std::vector<std::vector<std::size_t>> chords(bands);
+    for (std::size_t k = 0; k < m_pieces.size(); ++k)
+    {
+        const double from = m_pieces[k].start.Y();
+        const double to = m_pieces[k].end.Y();
+        for (std::size_t i = band(std::min(from, to)); i <= band(std::max(from, to)); ++i)
+            chords[i].push_back(k);
+    }
+    for (std::size_t i = 0; i < bands; ++i)
+    {
+        m_chords.insert(m_chords.end(), chords[i].begin(), chords[i].end());
+        m_bands[i + 1] = m_chords.size();
+    }
+}
+
+std::size_t LoopRegion::band(double v) const
+{
+    // grows with v, rounding included; no chord that crosses a line v = const is missed in the line's band
+    const double height = m_bounds.vmax - m_bounds.vmin;
+    const auto bands = static_cast<double>(m_bands.size() - 1);
+    const double place = height > 0.0 ? bands * ((v - m_bounds.vmin) / height) : 0.0;
+    return static_cast<std::size_t>(std::clamp(place, 0.0, bands - 1.0));
 }
 
 bool LoopRegion::contains(const gp_Pnt2d &uv) const
 {
     // parity of the crossings of the ray towards larger u
     bool inside = false;
-    for (const PcurvePiece &piece : m_pieces)
+    const std::size_t own = band(uv.Y());
+    for (std::size_t k = m_bands[own]; k < m_bands[own + 1]; ++k)
     {
+        const PcurvePiece &piece = m_pieces[m_chords[k]];
         const double from = piece.start.Y() - uv.Y();
         const double to = piece.end.Y() - uv.Y();
         if ((from > 0.0) == (to > 0.0))
@@ -49,18 +90,7 @@ bool LoopRegion::may_touch(const ParameterBox &box) const
     return contains(gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax)));
 }
 
-ParameterBox LoopRegion::bounds() const
-{
-    ParameterBox box = m_pieces.front().box;
-    for (const PcurvePiece &piece : m_pieces)
-    {
-        box.umin = std::min(box.umin, piece.box.umin);
-        box.umax = std::max(box.umax, piece.box.umax);
-        box.vmin = std::min(box.vmin, piece.box.vmin);
-        box.vmax = std::max(box.vmax, piece.box.vmax);
-    }
-    return box;
-}
+ParameterBox LoopRegion::bounds() const { return m_bounds; }
 
 std::vector<double> LoopRegion::crossings(bool constant_u, double value) const
 {

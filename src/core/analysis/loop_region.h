@@ -36,7 +36,13 @@ public:
     [[nodiscard]] std::vector<gp_Pnt2d> boundary_points() const;
 
 private:
+    [[nodiscard]] std::size_t band(double v) const;
+
     std::vector<PcurvePiece> m_pieces;
+    // Pieces by the bands of v that their chords reach into: m_chords from m_bands[i] to m_bands[i + 1] for band i.
+    std::vector<std::size_t> m_bands;
+    std::vector<std::size_t> m_chords;
+    ParameterBox m_bounds;
 };
 
 } // namespace laminate_offset

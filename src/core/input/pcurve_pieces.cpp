@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pcurve_pieces.h"
 
+#include "../spline/knot_vector.h"
+
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 
@@ -22,26 +27,138 @@ int piece_count(const Geom2dAdaptor_Curve &curve)
     return std::max(least_pieces, pieces_per_interval * curve.NbIntervals(GeomAbs_C2));
 }
 
+//! Piece ends between two parameters.
+std::vector<double> piece_ends(double first, double last, int count)
+{
+    std::vector<double> ends;
+    for (int i = 0; i <= count; ++i)
+        ends.push_back(first + (last - first) * i / count);
+    return ends;
+}
+
+//! Points (x, y, 1) times a weight.
+using ControlPoints = std::vector<Eigen::Vector3d>;
+
+//! Bernstein points of one span of a spline, by de Boor's scheme with both its ends as arguments.
+ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int span)
+{
+    const int p = kv.degree;
+    const double *t = kv.knots.data() + span;
+    ControlPoints result;
+    for (int i = 0; i <= p; ++i)
+    {
+        ControlPoints points(poles.begin() + (span - p), poles.begin() + (span + 1));
+        for (int r = 1; r <= p; ++r)
+        {
+            const double x = r <= p - i ? t[0] : t[1];
+            for (int k = p; k >= r; --k)
+            {
+                const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
+                Eigen::Vector3d &point = points[static_cast<std::size_t>(k)];
+                point = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * point;
+            }
+        }
+        result.push_back(points.back());
+    }
+    return result;
+}
+
+//! Cuts off what lies before s (de Casteljau): returned, and the rest remains.
+ControlPoints cut_off(ControlPoints &points, double s)
+{
+    ControlPoints before{points.front()};
+    for (std::size_t count = points.size() - 1; count > 0; --count)
+    {
+        for (std::size_t k = 0; k < count; ++k)
+            points[k] = (1.0 - s) * points[k] + s * points[k + 1];
+        before.push_back(points.front());
+    }
+    return before;
+}
+
+//! False where a weight is not positive.
+bool add_points(const ControlPoints &points, Bnd_Box2d &box)
+{
+    for (const Eigen::Vector3d &point : points)
+    {
+        if (!(point.z() > 0.0))
+            return false;
+        box.Add(gp_Pnt2d(point.x() / point.z(), point.y() / point.z()));
+    }
+    return true;
+}
+
+//! Adds a spline's control points, cut at knots and ends, to the boxes of its pieces. False where the spline goes
+//! round, ends early or has a weight that is not positive.
+bool add_control_points(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends,
+                        std::vector<Bnd_Box2d> &boxes)
+{
+    if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() || ends.back() > curve.LastParameter())
+        return false;
+    KnotVector kv{curve.Degree(), {}};
+    for (int i = 1; i <= curve.NbKnots(); ++i)
+        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
+    ControlPoints poles;
+    for (int i = 1; i <= curve.NbPoles(); ++i)
+        poles.push_back(curve.Weight(i) * Eigen::Vector3d(curve.Pole(i).X(), curve.Pole(i).Y(), 1.0));
+    std::size_t piece = 0;
+    for (int span = kv.span(ends.front()); span <= kv.span(ends.back()); ++span)
+    {
+        double low = kv.knots[static_cast<std::size_t>(span)];
+        const double high = kv.knots[static_cast<std::size_t>(span) + 1];
+        if (!(low < high))
+            continue;
+        ControlPoints rest = span_points(kv, poles, span);
+        if (low < ends.front())
+        {
+            cut_off(rest, (ends.front() - low) / (high - low));
+            low = ends.front();
+        }
+        for (; piece + 1 < boxes.size() && ends[piece + 1] < high; ++piece)
+        {
+            if (!add_points(cut_off(rest, (ends[piece + 1] - low) / (high - low)), boxes[piece]))
+                return false;
+            low = ends[piece + 1];
+        }
+        if (ends.back() < high)
+            rest = cut_off(rest, (ends.back() - low) / (high - low));
+        if (!add_points(rest, boxes[piece]))
+            return false;
+        if (piece + 1 < boxes.size() && ends[piece + 1] == high)
+            ++piece;
+    }
+    return true;
+}
+
+//! A box for each piece between two ends; void for a straight line.
+std::vector<Bnd_Box2d> piece_boxes(const Geom2dAdaptor_Curve &curve, const std::vector<double> &ends)
+{
+    std::vector<Bnd_Box2d> boxes(ends.size() - 1);
+    if (boxes.size() == 1)
+        return boxes;
+    if (curve.GetType() == GeomAbs_BSplineCurve && add_control_points(*curve.BSpline(), ends, boxes))
+        return boxes;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        BndLib_Add2dCurve::Add(curve, ends[i], ends[i + 1], 0.0, boxes[i]);
+    return boxes;
+}
+
 } // namespace
 
 std::vector<PcurvePiece> cut_up(const Handle(Geom2d_Curve) & pcurve, double first, double last)
 {
     const Geom2dAdaptor_Curve adaptor(pcurve, first, last);
-    const int count = piece_count(adaptor);
+    const std::vector<double> ends = piece_ends(first, last, piece_count(adaptor));
+    std::vector<Bnd_Box2d> boxes = piece_boxes(adaptor, ends);
     std::vector<PcurvePiece> pieces;
     gp_Pnt2d start = adaptor.Value(first);
-    for (int i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-        const double a = first + (last - first) * i / count;
-        const double b = first + (last - first) * (i + 1) / count;
-        const gp_Pnt2d end = adaptor.Value(b);
-        Bnd_Box2d bounds;
-        if (count > 1)
-            BndLib_Add2dCurve::Add(adaptor, a, b, 0.0, bounds);
-        bounds.Add(start);
-        bounds.Add(end);
+        const gp_Pnt2d end = adaptor.Value(ends[i + 1]);
+        boxes[i].Add(start);
+        boxes[i].Add(end);
         PcurvePiece piece{start, end, {}};
-        bounds.Get(piece.box.umin, piece.box.vmin, piece.box.umax, piece.box.vmax);
+        boxes[i].Get(piece.box.umin, piece.box.vmin, piece.box.umax, piece.box.vmax);
         pieces.push_back(piece);
         start = end;
     }

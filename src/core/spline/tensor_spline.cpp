@@ -130,8 +130,11 @@ std::vector<SurfaceJet> TensorSpline::jets(const std::vector<double> &us, const 
             }
         }
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, us.size(), std::max<std::size_t>(1, 4096 / (vs.size() + 1))),
-                      evaluate);
+    const tbb::blocked_range<std::size_t> rows(0, us.size(), std::max<std::size_t>(1, 4096 / (vs.size() + 1)));
+    if (rows.is_divisible())
+        tbb::parallel_for(rows, evaluate);
+    else
+        evaluate(rows);
     return result;
 }
 
