@@ -133,8 +133,11 @@ private:
         for (const InputFace &part : parts)
         {
             const double distance = part.from_surface(m_options.distance);
-            if (const Result<SurfaceAnalysis> analysis = analyse(part, distance, m_options.tolerance))
+            if (Result<SurfaceAnalysis> analysis = analyse(part, distance, m_options.tolerance))
+            {
+                find_limits(analysis.value(), part, 0.0, refusal_gap);
                 failure.feasible_range = tightest(*failure.feasible_range, feasible_range(analysis.value(), part));
+            }
         }
         return failure;
     }

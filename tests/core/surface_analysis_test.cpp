@@ -199,6 +199,71 @@ TEST(FeasibleRange, IgnoresWhatTheLoopsCutAway)
     EXPECT_GT(*part.positive, 400.0);
 }
 
+//! Limits of a feasible distance are proven; of the true limit they may give away a quarter, as a rule much less.
+TEST(FeasibleRange, OfAFeasibleDistanceIsProvenThoughNotSharp)
+{
+    RandomCases random;
+    int compared = 0;
+    for (int i = 0; i < 12; ++i)
+    {
+        const auto surface = random_surface(random, {.spans_u = 1 + i % 4, .height = 6.0, .rational = i % 2 == 1});
+        const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7);
+        const FeasibleRange sharp = range_of(face);
+        ASSERT_TRUE(sharp.negative && sharp.positive);
+        for (const double part : {-0.9, -1e-2, 1e-2, 0.9})
+        {
+            const double distance = std::abs(part) * (part < 0.0 ? *sharp.negative : *sharp.positive);
+            const auto made = offset(face, distance, 0.1);
+            ASSERT_TRUE(made.ok()) << why(made);
+            const FeasibleRange range = made.value().report.limits.value();
+            // the sharp ones are themselves up to 0.5 percent short
+            for (const auto &[wide, limit] :
+                 {std::pair(range.negative, sharp.negative), {range.positive, sharp.positive}})
+            {
+                ASSERT_TRUE(wide.has_value());
+                EXPECT_LE(*wide / *limit, 1.006);
+                EXPECT_GE(*wide / *limit, 0.7);
+                ++compared;
+            }
+            EXPECT_GT(distance < 0.0 ? distance - *range.negative : *range.positive - distance, 0.0);
+        }
+    }
+    EXPECT_EQ(compared, 96);
+}
+
+//! The region answers like the parity of crossings over all its pieces, and a rectangle around a point inside is touched.
+TEST(LoopRegion, BandsMissNoCrossing)
+{
+    RandomCases random;
+    const TopoDS_Face face = panel_with_hole();
+    const InputFace input = read_face(face).value();
+    const LoopRegion region(input);
+    int inside = 0;
+    for (int i = 0; i < 4000; ++i)
+    {
+        const ParameterBox &box = input.box;
+        const gp_Pnt2d uv(random.uniform(box.umin, box.umax), random.uniform(box.vmin, box.vmax));
+        bool expected = false;
+        for (const TrimmingLoop &loop : input.loops)
+            for (const TrimmingCurve &curve : loop.curves)
+                for (const PcurvePiece &piece : curve.pieces)
+                    if ((piece.start.Y() > uv.Y()) != (piece.end.Y() > uv.Y()))
+                    {
+                        const double s = (piece.start.Y() - uv.Y()) / (piece.start.Y() - piece.end.Y());
+                        expected ^= piece.start.X() + s * (piece.end.X() - piece.start.X()) > uv.X();
+                    }
+        ASSERT_EQ(region.contains(uv), expected) << uv.X() << ' ' << uv.Y();
+        const double size = 1e-3 * (box.umax - box.umin);
+        if (expected)
+        {
+            EXPECT_TRUE(region.may_touch({uv.X() - size, uv.X() + size, uv.Y() - size, uv.Y() + size}));
+            ++inside;
+        }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_LT(inside, 3999);
+}
+
 TEST(Creases, AKinkIsFoundWhereItIs)
 {
     for (const double degrees : {0.5, 5.0, 60.0, 150.0})

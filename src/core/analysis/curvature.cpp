@@ -7,9 +7,12 @@
 #include "../spline/knot_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <queue>
+#include <vector>
 
 namespace laminate_offset
 {
@@ -21,36 +24,35 @@ constexpr int deepest_singular_piece = 10;
 // Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
 constexpr double smallest_piece = 1e-5;
 constexpr int most_steps = 4000;
-constexpr int steps_after_decision = 50;
+// Looks at pieces once a distance is decided: these, and more up to the others as long as the limit is wider than this.
+constexpr int steps_after_decision = 16;
+constexpr int most_steps_after_decision = 50;
+constexpr double wide_gap = 0.25;
 // Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
 constexpr double singular_sine = 1e-8;
 // Curvature times extent below which a limit is of no interest.
 constexpr double irrelevant_curvature = 1e-2;
 constexpr int samples_per_interval = 4;
 constexpr int least_samples = 48;
+constexpr std::size_t most_boundary_places = 128;
 
 //! The side of the search: +1 for the highest curvature, -1 for the lowest. Internally everything is
 //! turned so that the most extreme value is the largest.
 double turned(double sign, const std::pair<double, double> &k) { return sign > 0.0 ? k.second : -k.first; }
 
+//! A piece of the base, or a part of one. What is found out about it serves both sides' searches.
 struct Node
 {
-    double bound = 0.0; //!< turned
+    ParameterBox box;
     int depth = 0;
-    bool fine = false; //!< the bound is the fine one
-    ParameterBox box;
-    RationalPiece piece;
-
-    friend bool operator<(const Node &a, const Node &b) { return a.bound < b.bound; }
-};
-
-//! A piece of the base before any halving.
-struct RoughPiece
-{
-    std::pair<double, double> bounds;
-    std::size_t i = 0; //!< its knot intervals
+    std::size_t i = 0; //!< knot intervals of the piece
     std::size_t j = 0;
-    ParameterBox box;
+    std::pair<double, double> rough;
+    std::optional<std::pair<double, double>> fine;
+    std::optional<std::pair<double, double>> centre; //!< curvatures attained in the middle
+    std::optional<RationalPiece> piece;              //!< of a whole piece only from its first closer look on
+    bool split = false;
+    std::array<int, 2> halves{-1, -1}; //!< -1: outside the loops
 };
 
 struct Best
@@ -64,141 +66,227 @@ struct SideGoal
     double sign = 1.0;
     double threshold = 0.0; //!< turned curvature that has to be decided, 0 for none
     double gap = 1e-3;
-    double floor = 0.0;      //!< turned curvature below which nothing matters
-    double resolution = 0.0; //!< length [mm] below which curvature is rounding
-    bool deciding = false;   //!< the search serves one distance; its limits are a by-product
+    double floor = 0.0;    //!< turned curvature below which nothing matters
+    bool deciding = false; //!< the search serves one distance; its limits are a by-product
 };
 
-//! Best-first search for one side's extreme.
-class SideSearch
+//! The pieces that the loops touch, halved where a search asks for it.
+class PieceTree
 {
 public:
-    SideSearch(const LoopRegion &region, const SideGoal &goal, const Best &start)
-        : m_region(region), m_sign(goal.sign), m_threshold(goal.threshold), m_gap(goal.gap), m_floor(goal.floor),
-          m_deciding(goal.deciding), m_best(start), m_bounder(goal.resolution)
+    PieceTree(const TensorSpline &base, const LoopRegion &region, double resolution)
+        : m_us(base.u.breaks()), m_vs(base.v.breaks()), m_pieces(base, m_us, m_vs), m_region(region),
+          m_bounder(resolution)
     {
+        RationalPiece piece;
+        for (std::size_t i = 0; i + 1 < m_us.size(); ++i)
+            for (std::size_t j = 0; j + 1 < m_vs.size(); ++j)
+            {
+                const ParameterBox box{m_us[i], m_us[i + 1], m_vs[j], m_vs[j + 1]};
+                if (!region.may_touch(box))
+                    continue;
+                m_pieces.cut(i, j, m_pieces.near_point(i, j), piece);
+                Node &node = add(box, 0, piece);
+                node.i = i;
+                node.j = j;
+            }
+        m_roots = static_cast<int>(m_nodes.size());
     }
 
-    //! Do the rough bounds of a piece settle it? Then the piece itself is not needed.
-    bool closes(const std::pair<double, double> &rough)
-    {
-        const double bound = m_sign > 0.0 ? rough.second : -rough.first;
-        if (closed(bound))
-            settle(bound);
-        return closed(bound);
-    }
+    [[nodiscard]] int roots() const { return m_roots; }
+    [[nodiscard]] const Node &node(int index) const { return m_nodes[static_cast<std::size_t>(index)]; }
 
-    //! Takes a piece whose rough bounds are known; its centre has been probed.
-    //! \param known a bound of a piece that holds this one.
-    void add(const std::pair<double, double> &rough, const RationalPiece &piece, const ParameterBox &box, int depth,
-             double known = std::numeric_limits<double>::infinity())
+    const std::pair<double, double> &fine(int index)
     {
-        const double bound = std::min(known, m_sign > 0.0 ? rough.second : -rough.first);
-        if (closed(bound))
-            settle(bound);
-        else
-            m_queue.push({bound, depth, false, box, piece});
-    }
-
-    //! A curvature attained at a place.
-    void offer(const std::pair<double, double> &k, const gp_Pnt2d &uv)
-    {
-        if (turned(m_sign, k) > m_best.value && m_region.contains(uv))
-            m_best = {turned(m_sign, k), uv};
-    }
-
-    CurvatureBound run()
-    {
-        bool complete = true;
-        for (int count = 0; !m_queue.empty() && count < budget() && !closed(m_queue.top().bound); ++count)
+        Node &node = m_nodes[static_cast<std::size_t>(index)];
+        if (!node.fine)
         {
-            Node node = m_queue.top();
-            m_queue.pop();
-            m_bounder.assign(node.piece);
-            if (!node.fine)
-                refine(node);
-            else if (may_split(node))
-                split(node);
-            else
-                complete = false; // its centre has been probed
+            look_at(node);
+            node.fine = m_bounder.fine();
         }
-        if (!m_queue.empty())
-            settle(m_queue.top().bound);
-        return {m_sign * m_best.value, m_sign * std::max(m_settled, m_best.value), m_best.uv, !complete};
+        return *node.fine;
+    }
+
+    //! The halves of a node whose fine bound was asked for; nothing where there is nothing to be learned from them.
+    //! \param bounded is a bound of the node known to the search?
+    std::optional<std::array<int, 2>> halves(int index, bool bounded)
+    {
+        Node &node = m_nodes[static_cast<std::size_t>(index)];
+        if (node.split)
+            return node.halves;
+        look_at(node);
+        if (!may_split(node, bounded))
+            return std::nullopt;
+        split(node);
+        return node.halves;
     }
 
 private:
-    //! Is there anything to be learned from the halves of the piece that the bounder looks at?
-    [[nodiscard]] bool may_split(const Node &node) const
+    [[nodiscard]] bool may_split(const Node &node, bool bounded) const
     {
-        const bool regular = std::isfinite(node.bound) && !CurvaturePieceBounder::has_collapsed_side(node.piece);
+        const bool regular = bounded && !CurvaturePieceBounder::has_collapsed_side(*node.piece);
         return !m_bounder.below_resolution() && (regular || node.depth < deepest_singular_piece);
     }
 
-    //! Is a bound good enough to stop at?
-    [[nodiscard]] bool closed(double bound) const
+    void look_at(Node &node)
     {
-        const bool undecided = m_threshold > m_best.value && m_threshold <= bound;
-        return !undecided && bound <= std::max(m_best.value * (1.0 + m_gap), m_floor);
+        if (!node.piece)
+            m_pieces.cut(node.i, node.j, m_pieces.near_point(node.i, node.j), node.piece.emplace());
+        m_bounder.assign(*node.piece);
     }
 
-    //! A distance that is proven to be feasible waits no longer for a sharper limit than this.
-    [[nodiscard]] int budget() const
+    Node &add(const ParameterBox &box, int depth, const RationalPiece &piece)
     {
-        const bool decided = m_threshold == 0.0 || (m_best.value < m_threshold && m_queue.top().bound < m_threshold);
-        return m_deciding && decided ? steps_after_decision : most_steps;
-    }
-
-    void settle(double bound) { m_settled = std::max(m_settled, bound); }
-
-    void refine(Node &node)
-    {
-        const std::pair<double, double> fine = m_bounder.fine();
-        node.bound = std::min(node.bound, m_sign > 0.0 ? fine.second : -fine.first);
-        node.fine = true;
-        if (closed(node.bound))
-            settle(node.bound);
-        else
-            m_queue.push(std::move(node));
-    }
-
-    void add_half(const RationalPiece &piece, const ParameterBox &box, int depth, double known)
-    {
-        if (!m_region.may_touch(box))
-            return;
         m_bounder.assign(piece);
-        const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
-        if (const auto k = m_bounder.at_centre())
-            offer(*k, middle);
-        add(m_bounder.rough(), piece, box, depth, known);
+        Node &node = m_nodes.emplace_back();
+        node.box = box;
+        node.depth = depth;
+        node.centre = m_bounder.at_centre();
+        node.rough = m_bounder.rough();
+        return node;
     }
 
     //! The bounder looks at the node's piece.
     void split(Node &node)
     {
-        const bool along_u = m_bounder.longer_in_u();
-        RationalPiece upper = node.piece;
-        node.piece.halve(along_u, upper);
+        const bool along_u = m_bounder.varies_more_along_u();
+        RationalPiece lower = std::move(*node.piece);
+        RationalPiece upper;
+        lower.halve(along_u, upper);
         ParameterBox low = node.box;
         ParameterBox high = node.box;
         if (along_u)
             low.umax = high.umin = 0.5 * (low.umin + low.umax);
         else
             low.vmax = high.vmin = 0.5 * (low.vmin + low.vmax);
-        add_half(node.piece, low, node.depth + 1, node.bound);
-        add_half(upper, high, node.depth + 1, node.bound);
+        node.split = true;
+        node.piece.reset();
+        node.halves = {add_half(low, node.depth + 1, lower), add_half(high, node.depth + 1, upper)};
     }
 
+    int add_half(const ParameterBox &box, int depth, RationalPiece &piece)
+    {
+        if (!m_region.may_touch(box))
+            return -1;
+        add(box, depth, piece).piece = std::move(piece);
+        return static_cast<int>(m_nodes.size()) - 1;
+    }
+
+    std::vector<double> m_us;
+    std::vector<double> m_vs;
+    SplinePieces m_pieces;
     const LoopRegion &m_region;
-    double m_sign;
-    double m_threshold;
-    double m_gap;
-    double m_floor;
-    bool m_deciding;
+    CurvaturePieceBounder m_bounder;
+    std::deque<Node> m_nodes; // nodes stay where they are
+    int m_roots = 0;
+};
+
+//! Best-first search for one side's extreme.
+class SideSearch
+{
+public:
+    SideSearch(PieceTree &tree, const LoopRegion &region, const SideGoal &goal, const Best &start)
+        : m_tree(tree), m_region(region), m_goal(goal), m_best(start)
+    {
+    }
+
+    CurvatureBound run()
+    {
+        // all centres come first: the better the attained curvature, the fewer pieces stay open
+        for (int root = 0; root < m_tree.roots(); ++root)
+            offer(m_tree.node(root));
+        for (int root = 0; root < m_tree.roots(); ++root)
+            add(root, std::numeric_limits<double>::infinity());
+        bool complete = true;
+        for (int count = 0; !m_queue.empty() && count < budget() && !closed(m_queue.top().bound); ++count)
+        {
+            const Open open = m_queue.top();
+            m_queue.pop();
+            if (!open.fine)
+                refine(open);
+            else if (const auto halves = m_tree.halves(open.node, std::isfinite(open.bound)))
+                add_halves(*halves, open.bound);
+            else
+                complete = false; // its centre has been probed
+        }
+        if (!m_queue.empty())
+            settle(m_queue.top().bound);
+        const double sign = m_goal.sign;
+        return {sign * m_best.value, sign * std::max(m_settled, m_best.value), m_best.uv, !complete};
+    }
+
+private:
+    //! A node that may hold something more extreme than what was found.
+    struct Open
+    {
+        double bound = 0.0; //!< turned
+        int node = 0;
+        bool fine = false; //!< the bound is the fine one
+
+        friend bool operator<(const Open &a, const Open &b) { return a.bound < b.bound; }
+    };
+
+    [[nodiscard]] double bound_of(const std::pair<double, double> &k) const { return turned(m_goal.sign, k); }
+
+    //! A curvature attained in the middle of a node.
+    void offer(const Node &node)
+    {
+        if (!node.centre || !(turned(m_goal.sign, *node.centre) > m_best.value))
+            return;
+        const gp_Pnt2d middle(0.5 * (node.box.umin + node.box.umax), 0.5 * (node.box.vmin + node.box.vmax));
+        if (m_region.contains(middle))
+            m_best = {turned(m_goal.sign, *node.centre), middle};
+    }
+
+    //! \param known a bound of a piece that holds this one.
+    void add(int index, double known) { push({std::min(known, bound_of(m_tree.node(index).rough)), index, false}); }
+
+    void add_halves(const std::array<int, 2> &halves, double known)
+    {
+        for (const int half : halves)
+            if (half >= 0)
+                offer(m_tree.node(half));
+        for (const int half : halves)
+            if (half >= 0)
+                add(half, known);
+    }
+
+    void refine(const Open &open) { push({std::min(open.bound, bound_of(m_tree.fine(open.node))), open.node, true}); }
+
+    void push(const Open &open)
+    {
+        if (closed(open.bound))
+            settle(open.bound);
+        else
+            m_queue.push(open);
+    }
+
+    //! Is a bound good enough to stop at?
+    [[nodiscard]] bool closed(double bound) const
+    {
+        const bool undecided = m_goal.threshold > m_best.value && m_goal.threshold <= bound;
+        return !undecided && bound <= std::max(m_best.value * (1.0 + m_goal.gap), m_goal.floor);
+    }
+
+    //! A distance that is proven to be feasible waits no longer for a sharper limit than this.
+    [[nodiscard]] int budget() const
+    {
+        const double threshold = m_goal.threshold;
+        const bool decided = threshold == 0.0 || (m_best.value < threshold && m_queue.top().bound < threshold);
+        if (!m_goal.deciding || !decided)
+            return most_steps;
+        const bool wide = m_queue.top().bound > m_best.value * (1.0 + wide_gap);
+        return wide ? most_steps_after_decision : steps_after_decision;
+    }
+
+    void settle(double bound) { m_settled = std::max(m_settled, bound); }
+
+    PieceTree &m_tree;
+    const LoopRegion &m_region;
+    const SideGoal &m_goal;
     Best m_best;
     double m_settled = 0.0;
-    CurvaturePieceBounder m_bounder;
-    std::priority_queue<Node> m_queue;
+    std::priority_queue<Open> m_queue;
 };
 
 //! The best of the places on the loops, and for a base that is no spline of a grid inside them.
@@ -214,8 +302,10 @@ std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion
         if (k && k->second > best.second.value)
             best.second = {k->second, uv};
     };
-    for (const gp_Pnt2d &uv : region.boundary_points())
-        offer(base.jets({uv.X()}, {uv.Y()}, 2).front(), uv);
+    const std::vector<gp_Pnt2d> places = region.boundary_points();
+    const std::size_t step = places.size() / most_boundary_places + 1;
+    for (std::size_t i = 0; i < places.size(); i += step)
+        offer(base.jets({places[i].X()}, {places[i].Y()}, 2).front(), places[i]);
     if (!grid)
         return best;
     const auto parameters = [](const std::vector<double> &ends) {
@@ -229,47 +319,6 @@ std::pair<Best, Best> sampled_extremes(const BaseSurface &base, const LoopRegion
         if (const gp_Pnt2d uv(us[i / vs.size()], vs[i % vs.size()]); region.contains(uv))
             offer(jets[i], uv);
     return best;
-}
-
-//! Gives both searches the pieces that the loops touch. All centres come first: the better the attained
-//! curvature, the fewer pieces stay open and are cut again.
-void hand_out_pieces(const TensorSpline &base, const LoopRegion &region, double resolution, SideSearch &lowest,
-                     SideSearch &highest)
-{
-    const std::vector<double> us = base.u.breaks();
-    const std::vector<double> vs = base.v.breaks();
-    SplinePieces pieces(base, us, vs);
-    CurvaturePieceBounder bounder(resolution);
-    RationalPiece piece;
-    std::vector<RoughPiece> rough;
-    for (std::size_t i = 0; i + 1 < us.size(); ++i)
-        for (std::size_t j = 0; j + 1 < vs.size(); ++j)
-        {
-            const ParameterBox box{us[i], us[i + 1], vs[j], vs[j + 1]};
-            if (!region.may_touch(box))
-                continue;
-            pieces.cut(i, j, pieces.near_point(i, j), piece);
-            bounder.assign(piece);
-            const gp_Pnt2d middle(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax));
-            if (const auto k = bounder.at_centre())
-            {
-                lowest.offer(*k, middle);
-                highest.offer(*k, middle);
-            }
-            rough.push_back({bounder.rough(), i, j, box});
-        }
-    for (const RoughPiece &r : rough)
-    {
-        const bool low_closes = lowest.closes(r.bounds);
-        const bool high_closes = highest.closes(r.bounds);
-        if (low_closes && high_closes)
-            continue;
-        pieces.cut(r.i, r.j, pieces.near_point(r.i, r.j), piece);
-        if (!low_closes)
-            lowest.add(r.bounds, piece, r.box, 0);
-        if (!high_closes)
-            highest.add(r.bounds, piece, r.box, 0);
-    }
 }
 
 } // namespace
@@ -309,12 +358,13 @@ CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &
         return {{-start.first.value, -start.first.value, start.first.uv, true},
                 {start.second.value, start.second.value, start.second.uv, true}};
     const double floor = irrelevant_curvature / search.extent;
-    const double resolution = smallest_piece * search.extent;
     const bool deciding = search.distance != 0.0;
     const double threshold = deciding ? 1.0 / search.distance : 0.0;
-    SideSearch lowest(region, {-1.0, std::max(0.0, -threshold), search.gap, floor, resolution, deciding}, start.first);
-    SideSearch highest(region, {1.0, std::max(0.0, threshold), search.gap, floor, resolution, deciding}, start.second);
-    hand_out_pieces(*base.spline(), region, resolution, lowest, highest);
+    const SideGoal low{-1.0, std::max(0.0, -threshold), search.gap, floor, deciding};
+    const SideGoal high{1.0, std::max(0.0, threshold), search.gap, floor, deciding};
+    PieceTree tree(*base.spline(), region, smallest_piece * search.extent);
+    SideSearch lowest(tree, region, low, start.first);
+    SideSearch highest(tree, region, high, start.second);
     return {lowest.run(), highest.run()};
 }
 

@@ -156,9 +156,15 @@ bool CurvaturePieceBounder::has_collapsed_side(const RationalPiece &piece)
     return collapsed(0, 0, 1, 0, m) || collapsed(0, n, 1, 0, m) || collapsed(0, 0, 0, 1, n) || collapsed(m, 0, 0, 1, n);
 }
 
-bool CurvaturePieceBounder::longer_in_u() const
+bool CurvaturePieceBounder::varies_more_along_u() const
 {
-    return centre(m_u.numerator).squaredNorm() >= centre(m_v.numerator).squaredNorm();
+    const double lu = centre(m_u.numerator).norm();
+    const double lv = centre(m_v.numerator).norm();
+    // |S_uu| / |S_u| + |S_uv| / |S_v| against |S_uv| / |S_u| + |S_vv| / |S_v|, without the quotients
+    const double uv = longest(m_uv.numerator);
+    const double along_u = longest(m_uu.numerator) * lv + uv * lu;
+    const double along_v = uv * lv + longest(m_vv.numerator) * lu;
+    return along_u != along_v ? along_u > along_v : lu >= lv;
 }
 
 std::pair<double, double> CurvaturePieceBounder::rough() const

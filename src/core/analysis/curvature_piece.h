@@ -38,8 +38,8 @@ public:
     //! Does a side of the piece come down to a point?
     static bool has_collapsed_side(const RationalPiece &piece);
 
-    //! Is the piece longer along u than along v, at its centre?
-    [[nodiscard]] bool longer_in_u() const;
+    //! Do the tangents vary more along u than along v? Then bounds gain more from halves in u.
+    [[nodiscard]] bool varies_more_along_u() const;
 
 private:
     void move_to_centre(const RationalPiece &piece);

@@ -21,8 +21,8 @@ namespace
 constexpr double flat_curvature = 1e-9;
 // A model that is flat is one of a flat base as long as its curvature is this many times as uncertain as rounding.
 constexpr double model_flatness = 1e3;
-// Relative width between what is proven and what is attained at which the search for a limit ends.
-constexpr double limit_gap = 5e-3;
+// Relative width between what is proven and what is attained that is good enough for a feasible distance.
+constexpr double feasible_gap = 0.1;
 
 Failure refusal_at(Status status, std::string message, const InputFace &input, const gp_Pnt2d &uv)
 {
@@ -59,12 +59,30 @@ bool may_fold(const SurfaceAnalysis &analysis, const InputFace &input, double di
            std::abs(distance) >= std::abs(limit->distance);
 }
 
+//! Both limits as far as the search goes.
+void search_limits(SurfaceAnalysis &analysis, const CurvatureSearch &search)
+{
+    CurvatureExtremes extremes = curvature_extremes(analysis.base, analysis.region, search);
+    const double flat = flat_curvature / search.extent;
+    allow_for_model(analysis.base.model_error(), -1.0, flat, extremes.lowest);
+    allow_for_model(analysis.base.model_error(), 1.0, flat, extremes.highest);
+    const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
+        if (std::abs(k.proven) <= flat)
+            return std::nullopt;
+        const double infinity = std::copysign(std::numeric_limits<double>::infinity(), k.proven);
+        return CurvatureLimit{1.0 / k.proven, k.attained == 0.0 ? infinity : 1.0 / k.attained, k.uv};
+    };
+    analysis.negative = limit(extremes.lowest);
+    analysis.positive = limit(extremes.highest);
+    analysis.sampled = extremes.lowest.sampled || extremes.highest.sampled;
+}
+
 //! A face on an offset surface that is folded itself has no normal to go along.
 Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &input)
 {
     if (input.base_distance == 0.0)
         return true;
-    find_limits(analysis, input, input.base_distance, limit_gap);
+    find_limits(analysis, input, input.base_distance, refusal_gap);
     if (!folds(analysis, input.base_distance))
         return true;
     const CurvatureLimit &limit = input.base_distance < 0.0 ? *analysis.negative : *analysis.positive;
@@ -99,19 +117,10 @@ void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double dista
         analysis.positive = closed->positive;
         return;
     }
-    CurvatureExtremes extremes = curvature_extremes(analysis.base, analysis.region, {distance, gap, input.diagonal});
-    const double flat = flat_curvature / input.diagonal;
-    allow_for_model(analysis.base.model_error(), -1.0, flat, extremes.lowest);
-    allow_for_model(analysis.base.model_error(), 1.0, flat, extremes.highest);
-    const auto limit = [flat](const CurvatureBound &k) -> std::optional<CurvatureLimit> {
-        if (std::abs(k.proven) <= flat)
-            return std::nullopt;
-        const double infinity = std::copysign(std::numeric_limits<double>::infinity(), k.proven);
-        return CurvatureLimit{1.0 / k.proven, k.attained == 0.0 ? infinity : 1.0 / k.attained, k.uv};
-    };
-    analysis.negative = limit(extremes.lowest);
-    analysis.positive = limit(extremes.highest);
-    analysis.sampled = extremes.lowest.sampled || extremes.highest.sampled;
+    if (distance != 0.0)
+        search_limits(analysis, {distance, std::max(gap, feasible_gap), input.diagonal});
+    if (distance == 0.0 || folds(analysis, distance) || may_fold(analysis, input, distance))
+        search_limits(analysis, {distance, gap, input.diagonal});
 }
 
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
@@ -123,7 +132,7 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
     if (base.spline() && !base.strip()) // the models of swept surfaces are light
         if (std::optional<LightModel> light = light_model(*base.spline(), distance, tolerance))
             base.adopt_model(std::move(light->spline), light->error);
-    find_limits(analysis.value(), input, distance, limit_gap);
+    find_limits(analysis.value(), input, distance, refusal_gap);
     return analysis;
 }
 

@@ -41,8 +41,13 @@ struct SurfaceAnalysis
 //! Refusals: KinkedSurface; CurvatureLimit for a face on an offset surface that is folded itself.
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance);
 
+//! The gap (see find_limits) of the limits that come with a refusal.
+inline constexpr double refusal_gap = 5e-3;
+
 //! Searches both limits; planes, cylinders, cones, spheres and tori have them in closed form.
-//! \param distance the one that has to be decided [mm]; 0: the limits themselves are wanted.
+//! \param distance the one that has to be decided [mm]; the search ends soon after it is found to be feasible, and
+//! leaves limits that are proven but may fall short of the true ones, by a tenth or where these are costly by more.
+//! 0: the limits themselves are wanted.
 //! \param gap relative width between what is proven and what is attained at which a search ends.
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap);
 

@@ -55,9 +55,11 @@ struct OffsetReport
     std::optional<double> sampled_edge_error; //!< largest edge deviation seen [mm]; for information
 
     std::optional<SurfaceSummary> surface; //!< empty when refused
-    std::optional<FeasibleRange> limits;   //!< empty when not computed
-    int loops = 0;                         //!< of the base face
-    int edges = 0;                         //!< of the base face
+    //! Proven; empty when not computed. Of a result they may fall short of the true limits by a tenth, where these are
+    //! costly by a quarter or more; offset_limits() gives sharp ones.
+    std::optional<FeasibleRange> limits;
+    int loops = 0; //!< of the base face
+    int edges = 0; //!< of the base face
 
     int faces = 0;                    //!< of the result; more than one where a crease tears the base into parts
     std::optional<double> gap;        //!< proven bound of the distance between two parts' edges along a crease [mm]
