@@ -94,6 +94,44 @@ void values_of_degree(const double *t, int q, double u, double *values)
     }
 }
 
+//! The same for many values of u: the divisors belong to the span, and dividing takes longer than all the rest.
+class SpanBasis
+{
+public:
+    //! \param t starts with the span, \param p the highest degree that is asked for.
+    void reset(const double *t, int p)
+    {
+        m_t = t;
+        double *inverse = m_inverses.data();
+        for (int j = 1; j <= p; ++j)
+            for (int r = 0; r < j; ++r)
+                *inverse++ = 1.0 / (t[r + 1] - t[1 - j + r]);
+    }
+
+    void values_of_degree(int q, double u, double *values) const
+    {
+        const double *inverse = m_inverses.data();
+        values[0] = 1.0;
+        for (int j = 1; j <= q; ++j)
+        {
+            double saved = 0.0;
+            for (int r = 0; r < j; ++r)
+            {
+                const double part = values[r] * *inverse++;
+                values[r] = saved + (m_t[r + 1] - u) * part;
+                saved = (u - m_t[1 - j + r]) * part;
+            }
+            values[j] = saved;
+        }
+    }
+
+    [[nodiscard]] const double *t() const { return m_t; }
+
+private:
+    const double *m_t = nullptr;
+    std::array<double, max_spline_degree *(max_spline_degree + 1) / 2> m_inverses;
+};
+
 //! Differentiates in place: from the q values of degree q - 1 to the q + 1 derivatives of degree q,
 //! N' = q (N_i / (t_{i+q} - t_i) - N_{i+1} / (t_{i+q+1} - t_{i+1})).
 void differentiate(const double *t, int q, double *values)
@@ -134,21 +172,32 @@ void basis_values(const KnotVector &kv, int span, double u, double *values)
     values_of_degree(kv.knots.data() + span, kv.degree, u, values);
 }
 
-void basis_derivatives(const KnotVector &kv, int span, double u, int order, double *out)
+namespace
 {
-    const int p = kv.degree;
-    const double *t = kv.knots.data() + span;
-    values_of_degree(t, p, u, out);
+
+//! basis_derivatives by any way `values(degree, out)` to the values alone.
+template <class Values> void derivatives_from(const Values &values, const double *t, int p, int order, double *out)
+{
+    values(p, out);
     for (int k = 1; k <= order; ++k)
     {
         double *row = out + k * (p + 1);
         std::fill(row, row + p + 1, 0.0);
         if (k > p)
             continue;
-        values_of_degree(t, p - k, u, row);
+        values(p - k, row);
         for (int q = p - k + 1; q <= p; ++q)
             differentiate(t, q, row);
     }
+}
+
+} // namespace
+
+void basis_derivatives(const KnotVector &kv, int span, double u, int order, double *out)
+{
+    const double *t = kv.knots.data() + span;
+    derivatives_from([&](int degree, double *values) { values_of_degree(t, degree, u, values); }, t, kv.degree, order,
+                     out);
 }
 
 BasisRows::BasisRows(const KnotVector &kv, const std::vector<double> &parameters, int order)
@@ -157,11 +206,17 @@ BasisRows::BasisRows(const KnotVector &kv, const std::vector<double> &parameters
     const std::size_t count = parameters.size();
     m_first.resize(count);
     m_values.resize(count * m_orders * m_width);
+    SpanBasis basis;
     for (std::size_t r = 0; r < count; ++r)
     {
-        const int s = kv.span(parameters[r]);
+        const double u = parameters[r];
+        const int s = kv.span(u);
+        const double *t = kv.knots.data() + s;
+        if (basis.t() != t)
+            basis.reset(t, kv.degree);
         m_first[r] = s - kv.degree;
-        basis_derivatives(kv, s, parameters[r], order, m_values.data() + r * m_orders * m_width);
+        derivatives_from([&](int degree, double *values) { basis.values_of_degree(degree, u, values); }, t, kv.degree,
+                         order, m_values.data() + r * m_orders * m_width);
     }
 }
 

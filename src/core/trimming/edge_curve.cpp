@@ -2,6 +2,7 @@
 #include "edge_curve.h"
 
 #include "edge_certificate.h"
+#include "edge_fit.h"
 
 #include "../spline/knot_choice.h"
 #include "../spline/least_squares.h"
@@ -14,6 +15,8 @@
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAbs_CurveType.hxx>
+#include <GeomAbs_SurfaceType.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomLib.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -36,11 +39,14 @@ namespace
 {
 
 constexpr int most_rounds = 6;
+constexpr int smooth_rounds = 3;
 constexpr int checks_per_interval = 24;
 constexpr int least_checks = 200;
 constexpr int crossing_probes = 32;
 // A pcurve counts as isoparametric when it strays from the line by less than this part of its length.
 constexpr double iso_straightness = 1e-12;
+// Part of an edge's tolerance that a parallelogram may be twisted by.
+constexpr double twist_share = 1e-3;
 
 //! A pcurve that runs along u = value or v = value, linearly in its own parameter.
 struct IsoLine
@@ -81,10 +87,14 @@ Handle(Geom_Curve) iso_curve(const Geom_BSplineSurface &surface, const IsoLine &
 {
     const Handle(Geom_Curve) whole = iso.constant_u ? surface.UIso(iso.value) : surface.VIso(iso.value);
     const auto curve = Handle(Geom_BSplineCurve)::DownCast(whole);
-    const double low = std::min(iso.start, iso.end);
-    const double high = std::max(iso.start, iso.end);
-    if (low < curve->FirstParameter() || high > curve->LastParameter())
+    double low = std::min(iso.start, iso.end);
+    double high = std::max(iso.start, iso.end);
+    // ends that rounding has put outside belong to the border
+    const double slack = iso_straightness * (curve->LastParameter() - curve->FirstParameter());
+    if (low < curve->FirstParameter() - slack || high > curve->LastParameter() + slack)
         return {};
+    low = std::max(low, curve->FirstParameter());
+    high = std::min(high, curve->LastParameter());
     curve->Segment(low, high);
     if (iso.start > iso.end)
         curve->Reverse();
@@ -93,6 +103,86 @@ Handle(Geom_Curve) iso_curve(const Geom_BSplineSurface &surface, const IsoLine &
     BSplCLib::Reparametrize(first, last, knots);
     curve->SetKnots(knots);
     return Handle(Geom_Curve)(curve);
+}
+
+Handle(Geom_BSplineCurve) segment(const gp_Pnt &start, const gp_Pnt &end, double first, double last)
+{
+    TColgp_Array1OfPnt poles(1, 2);
+    poles(1) = start;
+    poles(2) = end;
+    TColStd_Array1OfReal knots(1, 2);
+    knots(1) = first;
+    knots(2) = last;
+    TColStd_Array1OfInteger multiplicities(1, 2);
+    multiplicities.Init(2);
+    return new Geom_BSplineCurve(poles, knots, multiplicities, 1);
+}
+
+//! A parallelogram as the affine map that it is, up to a twist.
+class AffineMap
+{
+public:
+    //! \return nothing for any other spline, or where the twist exceeds `slack` [mm].
+    static std::optional<AffineMap> make(const Geom_BSplineSurface &s, double slack)
+    {
+        if (s.NbUPoles() != 2 || s.NbVPoles() != 2 || s.IsURational() || s.IsVRational())
+            return std::nullopt;
+        AffineMap map;
+        double v1, u1;
+        s.Bounds(map.m_u, u1, map.m_v, v1);
+        map.m_origin = s.Pole(1, 1).XYZ();
+        map.m_along_u = s.Pole(2, 1).XYZ() - map.m_origin;
+        map.m_along_v = s.Pole(1, 2).XYZ() - map.m_origin;
+        if ((s.Pole(2, 2).XYZ() - map.m_origin - map.m_along_u - map.m_along_v).Modulus() > slack)
+            return std::nullopt;
+        map.m_along_u /= u1 - map.m_u;
+        map.m_along_v /= v1 - map.m_v;
+        return map;
+    }
+
+    [[nodiscard]] gp_Pnt operator()(const gp_Pnt2d &uv) const
+    {
+        return gp_Pnt(m_origin + (uv.X() - m_u) * m_along_u + (uv.Y() - m_v) * m_along_v);
+    }
+
+private:
+    double m_u = 0.0;
+    double m_v = 0.0;
+    gp_XYZ m_origin;
+    gp_XYZ m_along_u;
+    gp_XYZ m_along_v;
+};
+
+//! An affine map takes a spline's poles to those of its image.
+Handle(Geom_Curve) affine_image(const AffineMap &map, const CurveOnSurface &c)
+{
+    Handle(Geom2d_Curve) pcurve = c.pcurve;
+    while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(pcurve))
+        pcurve = trimmed->BasisCurve();
+    if (!Handle(Geom2d_Line)::DownCast(pcurve).IsNull())
+        return segment(map(pcurve->Value(c.first)), map(pcurve->Value(c.last)), c.first, c.last);
+    const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(pcurve);
+    if (spline.IsNull() || spline->IsPeriodic())
+        return {};
+    TColgp_Array1OfPnt poles(1, spline->NbPoles());
+    TColStd_Array1OfReal weights(1, spline->NbPoles());
+    for (int i = 1; i <= spline->NbPoles(); ++i)
+    {
+        poles(i) = map(spline->Pole(i));
+        weights(i) = spline->Weight(i);
+    }
+    return new Geom_BSplineCurve(poles, weights, spline->Knots(), spline->Multiplicities(), spline->Degree());
+}
+
+//! The exact curve on a spline surface where there is a simple one: the image of any spline on a parallelogram, an
+//! isoparametric curve elsewhere.
+Handle(Geom_Curve) spline_curve(const CurveOnSurface &c, const Geom_BSplineSurface &surface, double tolerance)
+{
+    if (const std::optional<AffineMap> map = AffineMap::make(surface, twist_share * tolerance))
+        if (Handle(Geom_Curve) image = affine_image(*map, c); !image.IsNull())
+            return image;
+    const std::optional<IsoLine> iso = iso_line(c);
+    return iso ? iso_curve(surface, *iso, c.first, c.last) : nullptr;
 }
 
 //! The curve that a pcurve on a plane is, and the line, circle or ellipse that a simple one on another
@@ -108,8 +198,13 @@ Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
     case GeomAbs_Line: return new Geom_Line(on_surface.Line());
     case GeomAbs_Circle: return new Geom_Circle(on_surface.Circle());
     case GeomAbs_Ellipse: return new Geom_Ellipse(on_surface.Ellipse());
-    default: return {};
+    default: break;
     }
+    const GeomAbs_SurfaceType type = GeomAdaptor_Surface(c.surface).GetType();
+    if (type == GeomAbs_Cylinder || type == GeomAbs_Cone)
+        if (const std::optional<IsoLine> iso = iso_line(c); iso && iso->constant_u)
+            return segment(c.value(c.first), c.value(c.last), c.first, c.last);
+    return {};
 }
 
 //! Knots of the pcurve with their continuity.
@@ -214,22 +309,41 @@ Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &pole
     return new Geom_BSplineCurve(points, knots, multiplicities, kv.degree);
 }
 
-std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance)
+//! The curve over chosen knots and its deviation.
+EdgeCurve judged(const EdgeTarget &target, const KnotVector &knots, const RowMatrix &poles,
+                 const Eigen::Vector3d &origin, double tolerance)
 {
-    const CurveOnSurface &c = target.on_surface();
-    const Eigen::Vector3d origin = target.value(0.5 * (c.first + c.last));
-    KnotProblem problem;
-    problem.low = c.first;
-    problem.high = c.last;
-    problem.breaks = composite_breaks(target);
-    problem.tolerance = 0.8 * tolerance;
-    problem.min_degree = 3;
-    problem.max_degree = 5;
-    problem.sample = [&](const std::vector<double> &parameters) { return sampled(target, parameters, origin); };
-    std::vector<double> ends{c.first};
-    for (const DataBreak &b : problem.breaks)
-        ends.push_back(b.parameter);
-    ends.push_back(c.last);
+    EdgeCurve result;
+    result.curve = curve_from(knots, poles, origin);
+    result.deviation = target.deviation(result.curve, tolerance);
+    return result;
+}
+
+//! How much smaller the samples' tolerance has to be after a fit that was not good enough.
+double cut(double bound, double tolerance) { return std::clamp(0.8 * tolerance / bound, 0.2, 0.7); }
+
+//! A fit that needs simple knots only.
+std::optional<EdgeCurve> smooth_curve(const EdgeTarget &target, const KnotProblem &problem,
+                                      const std::vector<double> &ends, const Eigen::Vector3d &origin, double tolerance)
+{
+    double at_samples = problem.tolerance;
+    for (int round = 0; round < smooth_rounds; ++round)
+    {
+        const std::optional<CurveFit> fit = smooth_fit({problem.sample, ends}, at_samples);
+        if (!fit)
+            return std::nullopt;
+        EdgeCurve result = judged(target, fit->knots, fit->poles, origin, tolerance);
+        if (result.deviation.bound <= tolerance)
+            return result;
+        at_samples *= cut(result.deviation.bound, tolerance);
+    }
+    return std::nullopt;
+}
+
+//! A fit to data with kinks, where knots have to stand at the breaks, perhaps several at one.
+std::optional<EdgeCurve> kinked_curve(const EdgeTarget &target, KnotProblem problem, const std::vector<double> &ends,
+                                      const Eigen::Vector3d &origin, double tolerance)
+{
     for (int round = 0; round < most_rounds; ++round)
     {
         const std::optional<KnotChoice> choice = choose_knots(problem);
@@ -240,14 +354,36 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
         const auto solver = LeastSquaresFit::make(choice->knots, parameters);
         if (!solver)
             return std::nullopt;
-        EdgeCurve result;
-        result.curve = curve_from(choice->knots, solver->solve(sampled(target, parameters, origin)), origin);
-        result.deviation = target.deviation(result.curve, tolerance);
+        EdgeCurve result = judged(target, choice->knots, solver->solve(problem.sample(parameters)), origin, tolerance);
         if (result.deviation.bound <= tolerance)
             return result;
-        problem.tolerance *= std::clamp(0.8 * tolerance / result.deviation.bound, 0.2, 0.7);
+        problem.tolerance *= cut(result.deviation.bound, tolerance);
     }
     return std::nullopt;
+}
+
+std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance)
+{
+    const CurveOnSurface &c = target.on_surface();
+    const Eigen::Vector3d origin = target.value(0.5 * (c.first + c.last));
+    KnotProblem problem;
+    problem.low = c.first;
+    problem.high = c.last;
+    problem.breaks = composite_breaks(target);
+    problem.tolerance = 0.8 * tolerance;
+    problem.min_degree = 4; // cubics hardly ever win by then, and cost a third of the search
+    problem.max_degree = 5;
+    problem.sample = [&](const std::vector<double> &parameters) { return sampled(target, parameters, origin); };
+    std::vector<double> ends{c.first};
+    for (const DataBreak &b : problem.breaks)
+        ends.push_back(b.parameter);
+    ends.push_back(c.last);
+    const bool kinked =
+        std::any_of(problem.breaks.begin(), problem.breaks.end(), [](const DataBreak &b) { return b.continuity < 1; });
+    if (!kinked)
+        if (auto smooth = smooth_curve(target, problem, ends, origin, tolerance))
+            return smooth;
+    return kinked_curve(target, problem, ends, origin, tolerance);
 }
 
 } // namespace
@@ -266,7 +402,14 @@ double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &
             if (spline->Knot(i) > on_surface.first && spline->Knot(i) < on_surface.last)
                 ends.push_back(spline->Knot(i));
     ends.push_back(on_surface.last);
-    double worst = curve->Value(ends.front()).SquareDistance(on_surface.value(ends.front()));
+    const GeomAdaptor_Curve in_space(curve);
+    const Geom2dAdaptor_Curve pcurve(on_surface.pcurve);
+    const GeomAdaptor_Surface surface(on_surface.surface);
+    const auto square_at = [&](double t) {
+        const gp_Pnt2d uv = pcurve.Value(t);
+        return in_space.Value(t).SquareDistance(surface.Value(uv.X(), uv.Y()));
+    };
+    double worst = square_at(ends.front());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
         // short intervals are looked at as closely as long ones: the error has its own peaks in each
@@ -275,7 +418,7 @@ double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &
         for (int k = 1; k <= checks; ++k)
         {
             const double t = ends[i] + (ends[i + 1] - ends[i]) * k / checks;
-            worst = std::max(worst, curve->Value(t).SquareDistance(on_surface.value(t)));
+            worst = std::max(worst, square_at(t));
         }
     }
     return std::sqrt(worst);
@@ -338,11 +481,7 @@ std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
 {
     const CurveOnSurface &c = target.on_surface();
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface);
-    Handle(Geom_Curve) exact;
-    if (spline.IsNull())
-        exact = analytic_curve(c);
-    else if (const std::optional<IsoLine> iso = iso_line(c))
-        exact = iso_curve(*spline, *iso, c.first, c.last);
+    const Handle(Geom_Curve) exact = spline.IsNull() ? analytic_curve(c) : spline_curve(c, *spline, tolerance);
     if (!exact.IsNull())
         if (const Deviation deviation = target.deviation(exact, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{exact, deviation};

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "trim_loops.h"
 
+#include "straight_pcurve.h"
+
+#include "../spline/geom_values.h"
+
 #include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
@@ -10,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace laminate_offset
 {
@@ -18,6 +25,8 @@ namespace
 
 // The sampled error is for information only; what counts is proven.
 constexpr int error_samples = 24;
+// Part of an edge's tolerance that its pcurve may move by when it is written more simply.
+constexpr double simpler_share = 0.05;
 
 Failure refusal(const EdgeContext &context, Status status, const TrimmingCurve &curve, std::string message)
 {
@@ -33,20 +42,65 @@ Handle(Geom2d_Curve) shifted(const Handle(Geom2d_Curve) & pcurve, const gp_Vec2d
     return copy;
 }
 
+//! A pcurve on the offset surface, and how far it leads away from the base's pcurve there [mm].
+struct CarriedPcurve
+{
+    Handle(Geom2d_Curve) curve;
+    double moved = 0.0;
+};
+
+//! The base's pcurve, straight ones in their simplest form where that can be told to change nothing that counts.
+CarriedPcurve carried(const EdgeContext &context, const TrimmingCurve &base, const AnalyticSurface *form)
+{
+    const Handle(Geom2d_Curve) same = shifted(base.pcurve, context.surface.parameter_shift);
+    const auto straight = form ? straight_pcurve(same, base.first, base.last) : std::nullopt;
+    if (!straight)
+        return {same, 0.0};
+    const double v = std::max(std::abs(same->Value(base.first).Y()), std::abs(same->Value(base.last).Y()));
+    const double moved = straight->deviation * (form->speed(0, v + straight->deviation) + form->speed(1, v));
+    return moved <= simpler_share * context.tolerance ? CarriedPcurve{straight->curve, moved}
+                                                      : CarriedPcurve{same, 0.0};
+}
+
+//! S + d N at the places; empty where one of them has no normal.
+std::vector<Eigen::Vector3d> exact_points(const EdgeContext &context, const std::vector<double> &us,
+                                          const std::vector<double> &vs)
+{
+    std::optional<gp_Pnt2d> singular;
+    return context.base.offset_grid(us, vs, context.distance, singular);
+}
+
 //! Largest distance seen of the curve from S + d N over the base's pcurve.
 double error_of_edge(const EdgeContext &context, const TrimmingCurve &base, const Handle(Geom_Curve) & curve)
 {
-    double worst = 0.0;
+    std::vector<double> us;
+    std::vector<double> vs;
+    std::vector<Eigen::Vector3d> points;
+    const GeomAdaptor_Curve in_space(curve);
+    const Geom2dAdaptor_Curve in_parameters(base.pcurve);
     for (int i = 0; i <= error_samples; ++i)
     {
         const double t = base.first + (base.last - base.first) * i / error_samples;
-        const gp_Pnt2d uv = base.pcurve->Value(t);
-        std::optional<gp_Pnt2d> singular;
-        const auto exact = context.base.offset_grid({uv.X()}, {uv.Y()}, context.distance, singular);
-        if (singular)
-            continue;
-        const gp_Pnt p = curve->Value(t);
-        worst = std::max(worst, (exact.front() - Eigen::Vector3d(p.X(), p.Y(), p.Z())).squaredNorm());
+        const gp_Pnt2d uv = in_parameters.Value(t);
+        us.push_back(uv.X());
+        vs.push_back(uv.Y());
+        points.push_back(vector(in_space.Value(t).XYZ()));
+    }
+    const auto constant = [](const std::vector<double> &x) {
+        return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end();
+    };
+    // along an isoparametric line all places are one grid
+    std::vector<Eigen::Vector3d> exact;
+    if (constant(us))
+        exact = exact_points(context, {us.front()}, vs);
+    else if (constant(vs))
+        exact = exact_points(context, us, {vs.front()});
+    double worst = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto here = exact.empty() ? exact_points(context, {us[i]}, {vs[i]}) : std::vector{exact[i]};
+        if (!here.empty())
+            worst = std::max(worst, (here.front() - points[i]).squaredNorm());
     }
     return std::sqrt(worst) + context.base.model_error().of_offset(context.distance);
 }
@@ -66,13 +120,13 @@ Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &b
 }
 
 //! The base edge's translate on a plane, where it is as near as it has to be, else a curve of the pcurve's own.
-std::optional<EdgeCurve> curve_of(const EdgeContext &context, const TrimmingCurve &base, const EdgeTarget &target)
+std::optional<EdgeCurve> curve_of(const EdgeContext &context, const TrimmingCurve &base, const EdgeTarget &target,
+                                  double tolerance)
 {
     if (const Handle(Geom_Curve) curve = translated(context, base); !curve.IsNull())
-        if (const Deviation deviation = target.deviation(curve, context.tolerance);
-            deviation.bound <= context.tolerance)
+        if (const Deviation deviation = target.deviation(curve, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{curve, deviation};
-    return edge_curve(target, context.tolerance);
+    return edge_curve(target, tolerance);
 }
 
 Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &base, const AnalyticSurface *form)
@@ -80,17 +134,21 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
     OffsetEdge edge;
     edge.first = base.first;
     edge.last = base.last;
-    edge.pcurve = shifted(base.pcurve, context.surface.parameter_shift);
+    const auto [pcurve, moved] = carried(context, base, form);
+    edge.pcurve = pcurve;
     const CurveOnSurface on_surface{context.surface.geometry, edge.pcurve, base.first, base.last};
     const EdgeTarget target(on_surface, form);
     if (base.degenerated)
     {
         const double admissible = std::max(context.tolerance, Precision::Confusion());
         edge.deviation = target.deviation(on_surface.value(base.first), admissible);
+        edge.deviation.bound += moved;
         if (edge.deviation.bound <= admissible)
             return edge;
     }
-    const std::optional<EdgeCurve> made = curve_of(context, base, target);
+    // the other side of a seam may be moved as well
+    const double left = context.tolerance - (base.seam ? simpler_share * context.tolerance : moved);
+    const std::optional<EdgeCurve> made = curve_of(context, base, target, left);
     if (!made)
         return refusal(
             context, Status::EdgeToleranceNotReached, base,
@@ -99,6 +157,7 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
                         context.tolerance));
     edge.curve = made->curve;
     edge.deviation = made->deviation;
+    edge.deviation.bound += moved;
     edge.sampled_error = error_of_edge(context, base, edge.curve);
     return edge;
 }
@@ -109,10 +168,11 @@ void add_second_side(const EdgeContext &context, const TrimmingCurve &curve, con
 {
     if (edge.curve.IsNull())
         return;
-    edge.second_pcurve = shifted(curve.pcurve, context.surface.parameter_shift);
+    const auto [pcurve, moved] = carried(context, curve, form);
+    edge.second_pcurve = pcurve;
     const EdgeTarget other({context.surface.geometry, edge.second_pcurve, edge.first, edge.last}, form);
     const Deviation deviation = other.deviation(edge.curve, context.tolerance);
-    edge.deviation.bound = std::max(edge.deviation.bound, deviation.bound);
+    edge.deviation.bound = std::max(edge.deviation.bound, deviation.bound + moved);
     edge.deviation.proven = edge.deviation.proven && deviation.proven;
 }
 

@@ -2,8 +2,8 @@
 //! \file
 //! Stage Trimming: the base's trimming curves carried over to the offset surface.
 //!
-//! The offset keeps the base's parameters, so a pcurve is taken over unchanged (shifted where the
-//! surface says so) and only the curve in space is new.
+//! The offset keeps the base's parameters, so a pcurve is taken over (shifted where the surface says so, a straight
+//! one in its simplest form) and only the curve in space is new.
 #pragma once
 
 #include "../analysis/base_surface.h"
@@ -28,7 +28,7 @@ struct OffsetEdge
     Handle(Geom2d_Curve) second_pcurve; //!< of a seam, else null
     double first = 0.0;
     double last = 0.0;
-    Deviation deviation;        //!< of the curve, or the point, from the offset surface at its pcurves
+    Deviation deviation;        //!< of the curve, or the point, from the offset surface at its pcurves and the base's
     double sampled_error = 0.0; //!< largest distance seen from the exact offset of the base edge [mm]
 };
 

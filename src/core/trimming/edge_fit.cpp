@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "edge_fit.h"
+
+#include "../spline/knot_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int lowest_degree = 3;
+constexpr int highest_degree = 5;
+constexpr int first_spans = 8;
+constexpr int most_poles = 400;
+constexpr int most_fits = 9;
+// Samples beyond the degree in every span, and at least in every interval between breaks.
+constexpr int spare_samples = 3;
+constexpr int samples_per_interval = 2;
+// Counts move by the error's law and a little more, or by this factor at most; below the last one they are not worth
+// another fit.
+constexpr double cautious = 1.02;
+constexpr double fastest_growth = 2.0;
+constexpr double least_gain = 0.95;
+// A curve whose error does not fall by this order at least is not smooth enough.
+constexpr double least_order = 3.0;
+// No part of the range gets knots more thinly than this part of the average.
+constexpr double least_density = 0.1;
+
+class SmoothFitter
+{
+public:
+    SmoothFitter(const SmoothCurve &curve, double tolerance) : m_curve(curve), m_tolerance(tolerance) {}
+
+    std::optional<CurveFit> run()
+    {
+        for (int degree = lowest_degree; degree <= highest_degree; ++degree)
+            if (auto plain = fit(degree, {}); plain && plain->error <= m_tolerance)
+                return plain;
+        std::optional<CurveFit> best = spread(highest_degree, most_poles);
+        for (int degree = highest_degree - 1; best && degree >= lowest_degree; --degree)
+            if (auto lower = spread(degree, best->knots.pole_count()))
+                best = std::move(lower);
+        return best;
+    }
+
+private:
+    [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior) const
+    {
+        CurveFit result;
+        result.knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
+        const std::vector<double> parameters =
+            span_parameters(result.knots, m_curve.breaks, degree + 1 + spare_samples, samples_per_interval);
+        const auto solver = LeastSquaresFit::make(result.knots, parameters);
+        if (!solver)
+            return std::nullopt;
+        const RowMatrix samples = m_curve.sample(parameters);
+        result.poles = solver->solve(samples);
+        result.error = std::sqrt(solver->residual(result.poles, samples).rowwise().squaredNorm().maxCoeff());
+        return result;
+    }
+
+    //! Fits with more or fewer knots, each time better placed, until the count fits the tolerance.
+    //! \param bar as many poles are too many.
+    [[nodiscard]] std::optional<CurveFit> spread(int p, int bar) const
+    {
+        std::optional<CurveFit> best;
+        int spans = first_spans;
+        int too_few = 0;
+        int enough = bar;
+        double admissible = std::numeric_limits<double>::infinity();
+        std::vector<double> density(1, 1.0);
+        std::vector<double> breaks{m_curve.breaks.front(), m_curve.breaks.back()};
+        for (int i = 0; i < most_fits && spans + p < bar; ++i)
+        {
+            std::optional<CurveFit> trial = fit(p, even_knots(breaks, density, spans));
+            if (!trial)
+                return best;
+            const double law = std::pow(trial->error / m_tolerance, 1.0 / (p + 1));
+            const int wanted = static_cast<int>(std::ceil(cautious * law * spans));
+            density = knot_density(*trial);
+            breaks = trial->knots.breaks();
+            int next = 0;
+            if (trial->error <= m_tolerance)
+            {
+                best = std::move(trial);
+                enough = spans;
+                next = std::max(wanted, too_few + 1);
+            }
+            else
+            {
+                if (trial->error > admissible && !best)
+                    return best;
+                too_few = spans;
+                next = best ? (too_few + enough + 1) / 2
+                            : std::clamp(wanted, spans + 1, static_cast<int>(fastest_growth * spans));
+                if (i > 0)
+                    admissible = trial->error * std::pow(static_cast<double>(spans) / next, least_order);
+            }
+            if (best && next > least_gain * enough)
+                return best;
+            spans = next;
+        }
+        return best;
+    }
+
+    //! |f^(p+1)|^(1/(p+1)) in every span, up to a factor.
+    [[nodiscard]] static std::vector<double> knot_density(const CurveFit &fit)
+    {
+        const int p = fit.knots.degree;
+        const std::vector<double> &t = fit.knots.knots;
+        RowMatrix derivative = fit.poles;
+        for (int r = 1; r <= p; ++r)
+            for (int i = 0; i + r < fit.poles.rows(); ++i)
+            {
+                const auto k = static_cast<std::size_t>(i);
+                const double width = t[k + static_cast<std::size_t>(p) + 1] - t[k + static_cast<std::size_t>(r)];
+                derivative.row(i) = ((p - r + 1) / width * (derivative.row(i + 1) - derivative.row(i))).eval();
+            }
+        const std::vector<double> x = fit.knots.breaks();
+        std::vector<double> density(x.size() - 1, 0.0);
+        for (std::size_t j = 1; j + 1 < x.size(); ++j)
+        {
+            const auto row = static_cast<Eigen::Index>(j);
+            const double jump = (derivative.row(row) - derivative.row(row - 1)).norm() / (x[j + 1] - x[j - 1]);
+            density[j - 1] += jump;
+            density[j] += jump;
+        }
+        double total = 0.0;
+        for (std::size_t j = 0; j < density.size(); ++j)
+        {
+            density[j] = std::pow(density[j], 1.0 / (p + 1));
+            total += density[j] * (x[j + 1] - x[j]);
+        }
+        const double least = least_density * total / (x.back() - x.front());
+        for (double &d : density)
+            d = total > 0.0 ? std::max(d, least) : 1.0;
+        return density;
+    }
+
+    //! Interior knots between which the density's integral is the same everywhere.
+    [[nodiscard]] static std::vector<double> even_knots(const std::vector<double> &breaks,
+                                                        const std::vector<double> &density, int spans)
+    {
+        double total = 0.0;
+        for (std::size_t j = 0; j < density.size(); ++j)
+            total += density[j] * (breaks[j + 1] - breaks[j]);
+        std::vector<double> knots;
+        std::size_t j = 0;
+        double before = 0.0;
+        for (int k = 1; k < spans; ++k)
+        {
+            const double wanted = total * k / spans;
+            while (j + 1 < density.size() && before + density[j] * (breaks[j + 1] - breaks[j]) < wanted)
+            {
+                before += density[j] * (breaks[j + 1] - breaks[j]);
+                ++j;
+            }
+            knots.push_back(breaks[j] + (wanted - before) / density[j]);
+        }
+        return knots;
+    }
+
+    const SmoothCurve &m_curve;
+    double m_tolerance;
+};
+
+} // namespace
+
+std::optional<CurveFit> smooth_fit(const SmoothCurve &curve, double tolerance)
+{
+    return SmoothFitter(curve, tolerance).run();
+}
+
+} // namespace laminate_offset
