@@ -15,8 +15,9 @@ import Part
 from . import __version__, _core
 from .api import OffsetResult, Progress, offset_face, offset_limits
 from .errors import OffsetError
-from .files import FileError, check_writable, format_of, read_faces, write_json, write_shape
+from .files import check_writable, format_of, read_faces, write_json, write_shape
 from .lines import take_over
+from .replacing import FileError
 
 DONE, REFUSED, BAD_USAGE, CANCELLED = 0, 1, 2, 130
 

@@ -3,7 +3,6 @@
 
 import json
 import os
-import shutil
 import tempfile
 import zipfile
 from contextlib import contextmanager
@@ -14,6 +13,7 @@ import FreeCAD
 import Part
 
 from ._freecad import add_workbench_folders
+from .replacing import FileError, replacing
 from .view_settings import OFFSET_LOOK, Look, add_view_settings
 
 FORMATS = {
@@ -25,10 +25,6 @@ FORMATS = {
     ".brp": "BREP",
     ".fcstd": "FCStd",
 }
-
-
-class FileError(Exception):
-    """A file that cannot be read or written; the text names the file and the reason."""
 
 
 def format_of(path: str) -> str:
@@ -84,30 +80,6 @@ def write_json(content: Any, path: str) -> None:
         with open(temporary, "w", encoding="utf-8") as stream:
             json.dump(content, stream, indent=2, ensure_ascii=False)
             stream.write("\n")
-
-
-@contextmanager
-def replacing(path: str) -> Iterator[str]:
-    """A path to write to, which becomes `path` when the block ends without an exception.
-
-    It is a file of the same name in a folder of its own beside the target: some writers put the name into the file,
-    and within one file system the move is a single step.
-    """
-    target = os.path.realpath(path)
-    try:
-        folder = tempfile.mkdtemp(prefix=".laminate-offset-", dir=os.path.dirname(target))
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror}.") from error
-    try:
-        temporary = os.path.join(folder, os.path.basename(target))
-        yield temporary
-        if not os.path.isfile(temporary):
-            raise FileError(f"{path}: nothing was written; is the disk full?")
-        os.replace(temporary, target)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error}") from error
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def check_writable(path: str) -> None:

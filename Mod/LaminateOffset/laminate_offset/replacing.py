@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes a file in one step, so that there is never half a file. Needs nothing of FreeCAD."""
+
+import os
+import shutil
+import tempfile
+from contextlib import contextmanager
+from typing import Iterator
+
+
+class FileError(Exception):
+    """A file that cannot be read or written; the text names the file and the reason."""
+
+
+@contextmanager
+def replacing(path: str) -> Iterator[str]:
+    """A path to write to, which becomes `path` when the block ends without an exception.
+
+    It is a file of the same name in a folder of its own beside the target: some writers put the name into the file,
+    and within one file system the move is a single step.
+    """
+    target = os.path.realpath(path)
+    try:
+        folder = tempfile.mkdtemp(prefix=".laminate-offset-", dir=os.path.dirname(target))
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error.strerror}.") from error
+    try:
+        temporary = os.path.join(folder, os.path.basename(target))
+        yield temporary
+        if not os.path.isfile(temporary):
+            raise FileError(f"{path}: nothing was written; is the disk full?")
+        os.replace(temporary, target)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error}") from error
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
