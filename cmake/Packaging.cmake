@@ -15,7 +15,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # The shared libraries are found by dpkg-shlibdeps; the rest is what the add-on runs in. The compiled
 # module fits one minor version of Python only.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(laminate_offset_depends "freecad (>= 0.20)" "python3-numpy")
+set(laminate_offset_depends "freecad (>= 0.20)" "python3-numpy" "python3-yaml")
 if(LAMINATE_OFFSET_BUILD_PYTHON)
     math(EXPR laminate_offset_next_minor "${Python3_VERSION_MINOR} + 1")
     list(APPEND laminate_offset_depends "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})"

@@ -27,17 +27,37 @@ except ImportError as error:
 from .api import OffsetLimits, OffsetResult, offset_face, offset_limits
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
+from .layup import (
+    Layup,
+    LayupError,
+    Material,
+    PhysicalPly,
+    Ply,
+    layup_from_notation,
+    materials,
+    read_layup,
+    read_material,
+)
 from .report import OffsetReport
 
 select_at_import()
 
 __version__: str = _core.__version__
 __all__ = [
+    "Layup",
+    "LayupError",
+    "Material",
     "OffsetError",
     "OffsetLimits",
     "OffsetReport",
     "OffsetResult",
+    "PhysicalPly",
+    "Ply",
+    "layup_from_notation",
+    "materials",
     "offset_face",
     "offset_limits",
+    "read_layup",
+    "read_material",
     "shape_exchange",
 ]
