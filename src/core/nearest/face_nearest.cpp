@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "face_nearest.h"
+
+#include "../analysis/base_surface.h"
+
+#include <BRepTools.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr std::size_t grain = 64;
+
+Failure procedural()
+{
+    return {
+        Status::NotSupported, Stage::Trimming,
+        "Nearest points of a procedural surface (an offset of a free-form surface, a swept offset curve or hyperbola) "
+        "are not available; turn the face into a spline first, for instance with offset_face(face, 0).",
+        std::nullopt, std::nullopt};
+}
+
+//! Does the equivalent of an offset surface keep its parameters?
+bool same_points(const InputFace &input, const Handle(Geom_Surface) & surface)
+{
+    constexpr int grid = 4;
+    for (int i = 0; i <= grid; ++i)
+        for (int j = 0; j <= grid; ++j)
+        {
+            const ParameterBox &box = input.box;
+            const gp_Pnt2d uv(box.umin + (box.umax - box.umin) * i / grid, box.vmin + (box.vmax - box.vmin) * j / grid);
+            if (surface->Value(uv.X(), uv.Y()).Distance(input.point(uv)) > 1e-12 * input.diagonal)
+                return false;
+        }
+    return true;
+}
+
+} // namespace
+
+Result<Handle(Geom_Surface)> true_surface(const InputFace &input)
+{
+    if (input.base_distance == 0.0)
+        return input.surface;
+    const Handle(Geom_OffsetSurface) offset = new Geom_OffsetSurface(input.surface, input.base_distance, true);
+    const Handle(Geom_Surface) equivalent = offset->Surface();
+    if (equivalent.IsNull() || equivalent->IsKind(STANDARD_TYPE(Geom_OffsetSurface)) || !same_points(input, equivalent))
+        return procedural();
+    return equivalent;
+}
+
+ParameterBox domain_box(const InputFace &input, const Handle(Geom_Surface) & surface)
+{
+    ParameterBox box;
+    BRepTools::UVBounds(input.face, box.umin, box.umax, box.vmin, box.vmax);
+    box = {std::min(box.umin, input.box.umin), std::max(box.umax, input.box.umax), std::min(box.vmin, input.box.vmin),
+           std::max(box.vmax, input.box.vmax)};
+    double u0, u1, v0, v1;
+    surface->Bounds(u0, u1, v0, v1);
+    constexpr double near = 1e-9; // an end that all but reaches the surface's own is meant to reach it
+    const auto fit = [](double &low, double &high, double first, double last) {
+        const double reach = near * (high - low);
+        if (low < first + reach)
+            low = first;
+        if (high > last - reach)
+            high = last;
+    };
+    if (!surface->IsUPeriodic())
+        fit(box.umin, box.umax, u0, u1);
+    if (!surface->IsVPeriodic())
+        fit(box.vmin, box.vmax, v0, v1);
+    return box;
+}
+
+Result<FaceNearest> FaceNearest::make(const InputFace &input, bool trimmed)
+{
+    const Result<Handle(Geom_Surface)> surface = true_surface(input);
+    if (!surface)
+        return surface.failure();
+    std::optional<ExactSpline> spline = exact_spline(surface.value(), domain_box(input, surface.value()));
+    if (!spline)
+        return procedural();
+    FaceNearest result{NearestSearch(std::move(*spline))};
+    if (trimmed)
+    {
+        result.m_trim.emplace(Trim{LoopRegion(input), BorderSearch(input, surface.value()), {}});
+        result.m_trim->touched = result.m_search.touched(result.m_trim->rule());
+    }
+    return result;
+}
+
+NearestSearch::Region FaceNearest::Trim::rule() const
+{
+    return {[this](const ParameterBox &box) { return region.may_touch(box); },
+            [this](const Eigen::Vector2d &uv) { return region.contains(gp_Pnt2d(uv.x(), uv.y())); }};
+}
+
+SurfaceFoot FaceNearest::nearest(const Eigen::Vector3d &point) const
+{
+    const SurfaceFoot anywhere = m_search.nearest(point);
+    if (!m_trim || m_trim->region.contains(gp_Pnt2d(anywhere.uv.x(), anywhere.uv.y())))
+        return anywhere;
+    return m_search.nearest(point, m_trim->border.nearest(point), m_trim->rule(), m_trim->touched);
+}
+
+std::vector<SurfaceFoot> FaceNearest::nearest(const std::vector<Eigen::Vector3d> &points) const
+{
+    std::vector<SurfaceFoot> feet(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), grain), [&](const auto &range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            feet[i] = nearest(points[i]);
+    });
+    return feet;
+}
+
+} // namespace laminate_offset
