@@ -2,9 +2,11 @@
 //! \file
 //! The extension module laminate_offset._core. It holds no policy: the package around it converts
 //! units, chooses the way of shape exchange and documents the interface.
+#include "nearest_point_binding.h"
 #include "offset_face_binding.h"
 #include "offset_limits_binding.h"
 #include "offset_options_binding.h"
+#include "project_curve_binding.h"
 #include "shape_exchange.h"
 
 #include <Standard_Failure.hxx>
@@ -42,4 +44,6 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_offset_options(module);
     laminate_offset::python::bind_offset_face(module);
     laminate_offset::python::bind_offset_limits(module);
+    laminate_offset::python::bind_nearest_point(module);
+    laminate_offset::python::bind_project_curve(module);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// offset_benchmarks [--quick | --full | --corpus | --generated | --prototype | --memory] [OUTPUT_FOLDER]
+// offset_benchmarks [--quick | --full | --corpus | --generated | --prototype | --memory | --nearest | --projection] [OUTPUT_FOLDER]
 #include "comparison.h"
 #include "corpus.h"
+#include "nearest.h"
+#include "projection.h"
 
 #include <cstring>
 #include <fstream>
@@ -19,6 +21,9 @@ constexpr const char *usage = R"(offset_benchmarks [MODE] [OUTPUT_FOLDER]
   --corpus     every real face at +-0.1 % and +-1 % of its diagonal, our offsets alone
   --prototype  pole counts beside those of the prototype's least squares
   --memory     peak memory at 128x128 poles
+  --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face
+  --projection every edge of every real face put back onto its face
+  --nearest-quick  the same of every fifth face, 2,000 a face
 Tables go to the standard output, comparison.csv, worst.txt and corpus.csv into OUTPUT_FOLDER (default: here).
 )";
 
@@ -42,6 +47,12 @@ int run(const std::string &mode, const std::filesystem::path &folder)
         print_prototype_cases(std::cout);
     if (mode == "--corpus")
         run_corpus(real_faces(false), folder / "corpus.csv", std::cout);
+    if (mode == "--nearest")
+        run_nearest(real_faces(true), 100000, std::cout);
+    if (mode == "--projection")
+        run_projection(real_faces(false), false, std::cout);
+    if (mode == "--nearest-quick")
+        run_nearest(real_faces(true, 5), 2000, std::cout);
     if (mode == "--generated")
         run_comparison(generated_faces(), plan, folder);
     if (mode == "--quick" || mode == "--full")
@@ -74,7 +85,8 @@ int main(int argc, char **argv)
             folder = argv[i];
     }
     const bool known = mode == "--quick" || mode == "--full" || mode == "--generated" || mode == "--corpus" ||
-                       mode == "--prototype" || mode == "--memory";
+                       mode == "--prototype" || mode == "--memory" || mode == "--nearest" || mode == "--projection" ||
+                       mode == "--nearest-quick";
     if (!known)
     {
         std::cerr << usage;

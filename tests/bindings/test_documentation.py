@@ -96,6 +96,9 @@ def test_everything_public_has_a_docstring() -> None:
 
 
 def test_nothing_is_offered_that_is_not_there_yet() -> None:
-    names = "Layup LayupError Material OffsetError OffsetLimits OffsetReport OffsetResult PhysicalPly Ply "
-    names += "layup_from_notation materials offset_face offset_limits read_layup read_material shape_exchange"
+    names = (
+        "CurveProjection Layup LayupError Material NearestPoints OffsetError OffsetLimits OffsetReport OffsetResult "
+    )
+    names += "PhysicalPly Ply layup_from_notation materials nearest_point offset_face offset_limits project_curve "
+    names += "read_layup read_material shape_exchange"
     assert sorted(lo.__all__) == names.split()

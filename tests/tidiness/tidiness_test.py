@@ -8,7 +8,7 @@ from typing import List
 import source_tree
 
 # The stages of the pipeline: a folder includes only itself and what stands before it.
-LAYERS = ["base", "spline", "input", "analysis", "surface", "extension", "trimming", "topology", "stack", "report"]
+LAYERS = "base spline input analysis nearest surface extension trimming projection topology stack report".split()
 CORE = source_tree.ROOT / "src" / "core"
 
 LINE_LIMIT = 80

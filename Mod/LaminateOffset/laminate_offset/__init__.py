@@ -24,7 +24,16 @@ except ImportError as error:
         f"{error}. Build and use it with the Python of FreeCAD (on Debian /usr/bin/python3)."
     ) from error
 
-from .api import OffsetLimits, OffsetResult, offset_face, offset_limits
+from .api import (
+    CurveProjection,
+    NearestPoints,
+    OffsetLimits,
+    OffsetResult,
+    nearest_point,
+    offset_face,
+    offset_limits,
+    project_curve,
+)
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
 from .layup import (
@@ -44,9 +53,11 @@ select_at_import()
 
 __version__: str = _core.__version__
 __all__ = [
+    "CurveProjection",
     "Layup",
     "LayupError",
     "Material",
+    "NearestPoints",
     "OffsetError",
     "OffsetLimits",
     "OffsetReport",
@@ -55,8 +66,10 @@ __all__ = [
     "Ply",
     "layup_from_notation",
     "materials",
+    "nearest_point",
     "offset_face",
     "offset_limits",
+    "project_curve",
     "read_layup",
     "read_material",
     "shape_exchange",

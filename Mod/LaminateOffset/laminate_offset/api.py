@@ -4,9 +4,10 @@
 import copy
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Union
 
 import FreeCAD
+import numpy
 import Part
 
 from . import _core
@@ -80,6 +81,103 @@ class OffsetLimits:
 
     def __repr__(self) -> str:
         return f"OffsetLimits(negative={self.negative!r}, positive={self.positive!r}, proven={self.proven!r})"
+
+
+@dataclass(frozen=True)
+class NearestPoints:
+    """The points of a face nearest to n given ones, row by row in the same order.
+
+    Attributes:
+        uv: array (n, 2), the parameters on the face's surface.
+        points: array (n, 3), the points of the face in mm.
+        distance: array (n,), the distances to the given points in mm; zero or more.
+    """
+
+    uv: "numpy.ndarray[Any, Any]"
+    points: "numpy.ndarray[Any, Any]"
+    distance: "numpy.ndarray[Any, Any]"
+
+
+def nearest_point(face: "Part.Face", points: Any, trimmed: bool = False) -> NearestPoints:
+    """Find the points of a face that are nearest to given points.
+
+    A distance is never larger than the least one by more than 1e-11 of the surface's size. Borders, poles and seams
+    count; on a seam the parameters of either side may come back. Among equally near points any one is returned. All
+    processor cores are used.
+
+    Args:
+        face: a Part.Face; its placement counts, its orientation does not.
+        points: an array, or a sequence of rows x, y, z, of shape (n, 3), in mm.
+        trimmed: False looks on the surface over the face's parameter range (face.ParameterRange); True looks on the
+            trimmed face, its edges included.
+
+    Returns:
+        NearestPoints with .uv, .points and .distance.
+
+    Raises:
+        OffsetError: the face was refused; it says why.
+        ValueError: points has another shape or holds a number that is not finite.
+        TypeError: face is not a Part shape.
+    """
+    return NearestPoints(*_core.nearest_point(face, numpy.asarray(points, dtype=float), trimmed))
+
+
+@dataclass(frozen=True)
+class CurveProjection:
+    """A curve put onto a face.
+
+    Attributes:
+        wire: the image as a Part.Wire whose edges have curves in space and pcurves on the face's surface; a
+            Part.Compound of wires where it is in several parts.
+        pcurves: the edges' curves in the parameters of the face's surface (Part.Geom2d), in the wire's order, each with
+            its range: (curve, first, last).
+        certified_error: proven bound in mm of the distance between every edge of the wire and the surface along its
+            pcurve. Where edges[i]["on_surface"] is True that edge is the given curve itself, so the bound is the distance
+            of the given curve from its image. None where a curve has no closed form.
+        distance: the largest distance seen between the given curve and its image, in mm.
+        edges: for each edge of the wire a dict with "first", "last" (the given edge's own parameter), "certified_error",
+            "sampled_error", "on_surface" and "distance".
+    """
+
+    wire: "Union[Part.Wire, Part.Compound]"
+    pcurves: List[Any]
+    certified_error: Optional[float]
+    distance: float
+    edges: List[Dict[str, Any]]
+
+
+def project_curve(
+    face: "Part.Face",
+    edge_or_wire: "Union[Part.Edge, Part.Wire]",
+    tolerance: Length = 1e-3,
+    outside: str = "clip",
+) -> CurveProjection:
+    """Put an edge or a wire onto the surface of a face, along the surface's normal.
+
+    A curve that lies on the surface keeps its shape and gets its parametric image; any other one is dropped onto the
+    nearest points. A curve that crosses a seam is split there. The face's edges do not cut the image.
+
+    Args:
+        face: a Part.Face; its placement counts, its orientation does not.
+        edge_or_wire: a Part.Edge or Part.Wire, a ply boundary for instance.
+        tolerance: largest deviation in mm, or a FreeCAD length; above zero.
+        outside: what becomes of parts whose nearest points lie on the end of the surface: "clip" leaves them out at the
+            face's parameter range; "extend" uses the surface beyond that range as far as it reaches.
+
+    Returns:
+        CurveProjection with .wire, .pcurves and .certified_error.
+
+    Raises:
+        OffsetError: the face or the curve was refused; it says why.
+        ValueError: an argument is out of its range or has the wrong unit.
+        TypeError: an argument is not a Part shape.
+    """
+    wire, edges, certified_error, distance = _core.project_curve(
+        face, edge_or_wire, _millimetres(tolerance, "tolerance"), outside
+    )
+    on_face = [edge.curveOnSurface(0) for edge in wire.Edges]  # (curve, surface, placement, first, last)
+    pcurves = [(curve, first, last) for curve, _, _, first, last in on_face]
+    return CurveProjection(wire, pcurves, certified_error, distance, edges)
 
 
 def offset_limits(face: "Part.Face") -> OffsetLimits:

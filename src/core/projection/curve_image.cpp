@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve_image.h"
+
+#include "image_marcher.h"
+
+#include "../spline/geom_values.h"
+
+#include <Geom_TrimmedCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int deepest = 26;
+// Parts of the tolerance for the cubics, tried in turn.
+constexpr double fit_shares[] = {0.3, 0.05};
+// Part of the tolerance that taking out knots may cost.
+constexpr double removal_share = 0.2;
+// A curve within this part of the tolerance of the surface may stay the edge's own curve.
+constexpr double on_surface_share = 0.7;
+
+//! A cubic piece with its Bezier points (eq. 3.13).
+struct Cubic
+{
+    double low = 0.0;
+    double high = 0.0;
+    Eigen::Vector2d q[4];
+
+    [[nodiscard]] Eigen::Vector2d value(double t) const
+    {
+        const double x = (t - low) / (high - low);
+        const double y = 1.0 - x;
+        return y * y * y * q[0] + 3.0 * x * y * y * q[1] + 3.0 * x * x * y * q[2] + x * x * x * q[3];
+    }
+};
+
+class ImageFitter
+{
+public:
+    ImageFitter(const ImageMarcher &marcher, const ImageSurface &on, double admissible, bool on_surface)
+        : m_marcher(marcher), m_on(on), m_admissible(admissible), m_on_surface(on_surface)
+    {
+    }
+
+    //! False where the tolerance is not reached.
+    bool fit(const ImageFoot &start, const ImageFoot &end, int depth)
+    {
+        const double step = end.t - start.t;
+        Cubic cubic{start.t, end.t, {}};
+        cubic.q[0] = start.uv;                            // eq. 3.13a
+        cubic.q[1] = start.uv + step / 3.0 * start.slope; // eq. 3.13b
+        cubic.q[2] = end.uv - step / 3.0 * end.slope;     // eq. 3.13c
+        cubic.q[3] = end.uv;                              // eq. 3.13d
+        for (Eigen::Vector2d &q : cubic.q)
+            q = {std::clamp(q.x(), m_on.box.umin, m_on.box.umax), std::clamp(q.y(), m_on.box.vmin, m_on.box.vmax)};
+        if (fits(cubic))
+        {
+            m_cubics.push_back(cubic);
+            return true;
+        }
+        const double middle = 0.5 * (start.t + end.t);
+        if (depth >= deepest || !(middle > start.t && middle < end.t))
+            return false;
+        const ImageFoot between = m_marcher.foot(middle, 0.5 * (start.uv + end.uv));
+        return fit(start, between, depth + 1) && fit(between, end, depth + 1);
+    }
+
+    //! The cubics as one curve, with what is not C1 at its corners.
+    [[nodiscard]] Handle(Geom2d_BSplineCurve) curve(const std::vector<double> &corners) const
+    {
+        std::vector<Eigen::Vector2d> poles{m_cubics.front().q[0]};
+        TColStd_Array1OfReal knots(1, static_cast<int>(m_cubics.size()) + 1);
+        TColStd_Array1OfInteger multiplicities(1, knots.Length());
+        for (std::size_t i = 0; i < m_cubics.size(); ++i)
+        {
+            const Cubic &cubic = m_cubics[i];
+            const bool last = i + 1 == m_cubics.size();
+            const bool corner =
+                last || std::binary_search(corners.begin(), corners.end(), cubic.high) || clamped_beside(i);
+            poles.insert(poles.end(), {cubic.q[1], cubic.q[2]});
+            if (corner)
+                poles.push_back(cubic.q[3]);
+            knots(static_cast<int>(i) + 1) = cubic.low;
+            multiplicities(static_cast<int>(i) + 2) = last ? 4 : corner ? 3 : 2;
+        }
+        knots(knots.Upper()) = m_cubics.back().high;
+        multiplicities(1) = 4;
+        TColgp_Array1OfPnt2d points(1, static_cast<int>(poles.size()));
+        for (int i = 1; i <= points.Upper(); ++i)
+            points(i) =
+                gp_Pnt2d(poles[static_cast<std::size_t>(i) - 1].x(), poles[static_cast<std::size_t>(i) - 1].y());
+        return new Geom2d_BSplineCurve(points, knots, multiplicities, 3);
+    }
+
+private:
+    //! Points kept inside the box no longer stand for the slope; the pieces then meet with C0 only.
+    [[nodiscard]] bool clamped_beside(std::size_t i) const
+    {
+        const Cubic &a = m_cubics[i];
+        const Cubic &b = m_cubics[i + 1];
+        const Eigen::Vector2d before = (a.q[3] - a.q[2]) / (a.high - a.low);
+        const Eigen::Vector2d after = (b.q[1] - b.q[0]) / (b.high - b.low);
+        return (before - after).norm() > 1e-9 * (before.norm() + after.norm());
+    }
+
+    [[nodiscard]] bool fits(const Cubic &cubic) const
+    {
+        for (const double x : {0.15, 0.35, 0.5, 0.65, 0.85})
+        {
+            const double t = cubic.low + x * (cubic.high - cubic.low);
+            const Eigen::Vector2d uv = cubic.value(t);
+            const Eigen::Vector3d there = vector(m_on.surface->Value(uv.x(), uv.y()).XYZ());
+            const Eigen::Vector3d target = m_on_surface ? m_marcher.given(t) : m_marcher.foot(t, uv).point;
+            if (!((there - target).norm() <= m_admissible))
+                return false;
+        }
+        return true;
+    }
+
+    const ImageMarcher &m_marcher;
+    const ImageSurface &m_on;
+    double m_admissible;
+    bool m_on_surface;
+    std::vector<Cubic> m_cubics;
+};
+
+//! Takes out knots as far as the curve stays within `admissible` in its parameters.
+Handle(Geom2d_BSplineCurve) simplified(const Handle(Geom2d_BSplineCurve) & curve, double admissible)
+{
+    const auto result = Handle(Geom2d_BSplineCurve)::DownCast(curve->Copy());
+    const double each = admissible / std::max(1, curve->NbKnots());
+    for (int i = result->NbKnots() - 1; i > 1; --i)
+        for (int m = result->Multiplicity(i) - 1; m >= 0; --m)
+            if (!result->RemoveKnot(i, m, each))
+                break;
+    return result;
+}
+
+class ImageMaker
+{
+public:
+    ImageMaker(const ImageSurface &on, const SpaceCurve &curve, double tolerance)
+        : m_on(on), m_curve(curve), m_marcher(on, curve, tolerance), m_tolerance(tolerance)
+    {
+    }
+
+    [[nodiscard]] Result<std::vector<ImagePiece>> make(Outside outside) const
+    {
+        std::vector<ImagePiece> pieces;
+        for (const ImageRun &run : m_marcher.runs(outside == Outside::Clip))
+        {
+            std::optional<ImagePiece> piece = image(run);
+            if (!piece)
+                return Failure{
+                    Status::EdgeToleranceNotReached, Stage::Trimming,
+                    fmt::format("The image of the curve between its parameters {:.6g} and {:.6g} could not be "
+                                "brought within {:.3g} mm; ask for a larger tolerance.",
+                                run.feet.front().t, run.feet.back().t, m_tolerance),
+                    std::nullopt, std::nullopt};
+            pieces.push_back(std::move(*piece));
+        }
+        return pieces;
+    }
+
+private:
+    [[nodiscard]] std::optional<ImagePiece> image(const ImageRun &run) const
+    {
+        double distance = 0.0;
+        for (const ImageFoot &foot : run.feet)
+            distance = std::max(distance, foot.distance);
+        for (const bool on_surface : {true, false})
+            for (const double share : fit_shares)
+            {
+                if (on_surface && distance > on_surface_share * m_tolerance)
+                    continue;
+                const double room = on_surface ? m_tolerance - distance : m_tolerance;
+                ImageFitter fitter(m_marcher, m_on, (on_surface ? distance : 0.0) + share * room, on_surface);
+                bool fitted = true;
+                for (std::size_t i = 0; i + 1 < run.feet.size() && fitted; ++i)
+                    fitted = fitter.fit(run.feet[i], run.feet[i + 1], 0);
+                if (!fitted)
+                    continue;
+                if (std::optional<ImagePiece> piece = proven(fitter.curve(run.corners), on_surface, share * room))
+                {
+                    piece->distance = distance;
+                    return piece;
+                }
+            }
+        return std::nullopt;
+    }
+
+    //! With as few knots as the proof admits.
+    [[nodiscard]] std::optional<ImagePiece> proven(const Handle(Geom2d_BSplineCurve) & pcurve, bool on_surface,
+                                                   double room) const
+    {
+        const double admissible = removal_share * room / m_marcher.speed();
+        for (const Handle(Geom2d_Curve) & candidate :
+             {Handle(Geom2d_Curve)(simplified(pcurve, admissible)), Handle(Geom2d_Curve)(pcurve)})
+        {
+            ImagePiece piece{candidate,  {}, candidate->FirstParameter(), candidate->LastParameter(), {},
+                             on_surface, 0.0};
+            const EdgeTarget target({m_on.proof_surface, candidate, piece.first, piece.last}, m_on.form);
+            const double left = m_tolerance - m_on.model_error;
+            if (on_surface)
+            {
+                piece.curve = m_curve.curve;
+                piece.deviation = target.deviation(m_curve.curve, left);
+            }
+            else if (std::optional<EdgeCurve> own = edge_curve(target, left))
+            {
+                piece.curve = own->curve;
+                piece.deviation = own->deviation;
+            }
+            piece.deviation.bound += m_on.model_error;
+            if (!piece.curve.IsNull() && piece.deviation.bound <= m_tolerance)
+                return piece;
+        }
+        return std::nullopt;
+    }
+
+    const ImageSurface &m_on;
+    const SpaceCurve &m_curve;
+    ImageMarcher m_marcher;
+    double m_tolerance;
+};
+
+} // namespace
+
+Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance,
+                                         Outside outside)
+{
+    return ImageMaker(on, curve, tolerance).make(outside);
+}
+
+} // namespace laminate_offset

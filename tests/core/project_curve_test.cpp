@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Images of curves: the proven bound against dense samples, seams, poles, borders, and what is refused.
+#include "support/data_files.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/project_curve.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <gtest/gtest.h>
+
+using namespace laminate_offset;
+
+namespace
+{
+
+constexpr double tolerance = 1e-3;
+
+//! Largest distance at dense samples between the wire's curves and the surface along their pcurves.
+double sampled(const TopoDS_Shape &wire, const TopoDS_Face &face)
+{
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(wire, TopAbs_EDGE, edges);
+    EXPECT_GT(edges.Extent(), 0);
+    double worst = 0.0;
+    for (int i = 1; i <= edges.Extent(); ++i)
+    {
+        double first, last;
+        const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+        const Handle(Geom2d_Curve) pcurve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+        for (int k = 0; k <= 500; ++k)
+        {
+            const double t = first + (last - first) * k / 500;
+            const gp_Pnt2d uv = pcurve->Value(t);
+            worst = std::max(worst, curve->Value(t).Distance(surface->Value(uv.X(), uv.Y())));
+        }
+    }
+    return worst;
+}
+
+TopoDS_Face cylinder(double radius, double height)
+{
+    return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), radius), 0, 2 * M_PI, 0, height, 1e-7);
+}
+
+} // namespace
+
+TEST(ProjectCurve, EdgesGoBackOntoTheirOwnFace)
+{
+    const TopoDS_Face bare[] = {test_support::panel_with_hole(),
+                                test_support::located(test_support::panel_with_hole()),
+                                test_support::sphere_patch(50.0),
+                                TopoDS::Face(BRepPrimAPI_MakeSphere(30.0).Face()),
+                                cylinder(20.0, 30.0),
+                                BRepBuilderAPI_MakeFace(test_support::wavy_tube(50.0), 1e-7)};
+    int edges_seen = 0;
+    for (const TopoDS_Face &face : bare)
+    {
+        TopTools_IndexedMapOfShape edges;
+        TopExp::MapShapes(face, TopAbs_EDGE, edges);
+        for (int i = 1; i <= edges.Extent(); ++i)
+        {
+            const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+            if (BRep_Tool::Degenerated(edge))
+                continue;
+            ++edges_seen;
+            const auto image = project_curve(face, edge);
+            ASSERT_TRUE(image.ok()) << image.failure().message;
+            ASSERT_TRUE(image.value().certified_error.has_value());
+            EXPECT_LE(*image.value().certified_error, tolerance);
+            EXPECT_LE(sampled(image.value().wire, face), *image.value().certified_error + 1e-12);
+            for (const ProjectedEdge &part : image.value().edges)
+                EXPECT_TRUE(part.on_surface);
+            EXPECT_TRUE(BRepCheck_Analyzer(image.value().wire).IsValid());
+        }
+    }
+    EXPECT_GT(edges_seen, 15);
+}
+
+TEST(ProjectCurve, TolerancesAreKept)
+{
+    const TopoDS_Face face = test_support::panel_with_hole();
+    const Handle(Geom_Curve) circle = new Geom_Circle(gp_Ax2(gp_Pnt(100, 50, 80), gp_Dir(0.1, 0.2, 1)), 120.0);
+    for (const double wanted : {1.0, 1e-2, 1e-4, 1e-6})
+    {
+        const auto image = project_curve(face, BRepBuilderAPI_MakeEdge(circle).Edge(), {wanted, Outside::Clip});
+        ASSERT_TRUE(image.ok()) << image.failure().message;
+        EXPECT_FALSE(image.value().edges.front().on_surface);
+        ASSERT_TRUE(image.value().certified_error.has_value());
+        EXPECT_LE(*image.value().certified_error, wanted);
+        EXPECT_LE(sampled(image.value().wire, face), *image.value().certified_error + 1e-12);
+        EXPECT_TRUE(image.value().wire.Closed());
+    }
+}
+
+TEST(ProjectCurve, ASeamSplitsTheCurve)
+{
+    const TopoDS_Face face = cylinder(20.0, 30.0);
+    const TopoDS_Edge line = BRepBuilderAPI_MakeEdge(gp_Pnt(25, -9, 5), gp_Pnt(25, 9, 20));
+    const auto image = project_curve(face, line);
+    ASSERT_TRUE(image.ok()) << image.failure().message;
+    ASSERT_EQ(image.value().edges.size(), 2U);
+    EXPECT_EQ(image.value().wire.ShapeType(), TopAbs_WIRE);
+    const ProjectedEdge &before = image.value().edges[0];
+    const ProjectedEdge &after = image.value().edges[1];
+    EXPECT_DOUBLE_EQ(before.last, after.first);
+    EXPECT_NEAR(before.pcurve->Value(before.last).X(), 2 * M_PI, 1e-12);
+    EXPECT_NEAR(after.pcurve->Value(after.first).X(), 0.0, 1e-12);
+    EXPECT_LE(sampled(image.value().wire, face), *image.value().certified_error + 1e-12);
+}
+
+TEST(ProjectCurve, PartsOutsideAreClippedOrTheSurfaceGoesOn)
+{
+    const TopoDS_Face face = cylinder(20.0, 30.0);
+    const TopoDS_Edge line = BRepBuilderAPI_MakeEdge(gp_Pnt(-25, 1, -10), gp_Pnt(-25, 2, 50));
+    const auto clipped = project_curve(face, line);
+    const auto extended = project_curve(face, line, {tolerance, Outside::Extend});
+    ASSERT_TRUE(clipped.ok() && extended.ok());
+    EXPECT_NEAR(clipped.value().edges.front().first, 10.0, 0.1);
+    EXPECT_LT(clipped.value().edges.front().last, 40.1);
+    EXPECT_NEAR(extended.value().edges.front().first, 0.0, 1e-9);
+    EXPECT_GT(extended.value().edges.front().last, 60.0);
+}
+
+TEST(ProjectCurve, Refusals)
+{
+    const TopoDS_Face face = test_support::panel_with_hole();
+    const TopoDS_Edge far = BRepBuilderAPI_MakeEdge(gp_Pnt(9000, 0, 0), gp_Pnt(9000, 10, 0));
+    EXPECT_EQ(project_curve(face, far).failure().status, Status::NotSupported);
+    EXPECT_EQ(project_curve(face, face).failure().status, Status::NotSupported);
+    EXPECT_EQ(project_curve(face, TopoDS_Shape()).failure().status, Status::NotSupported);
+    EXPECT_EQ(project_curve(far, far).failure().status, Status::NotAFace);
+    EXPECT_EQ(project_curve(face, far, {0.0, Outside::Clip}).failure().status, Status::InvalidTolerance);
+}
