@@ -235,10 +235,11 @@ private:
 
 } // namespace
 
-Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops)
+Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops,
+                               FaceCheck check)
 {
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
-    if (BRepCheck_Analyzer(face).IsValid())
+    if (BRepCheck_Analyzer(face, check == FaceCheck::Whole).IsValid())
         return face;
     const bool base_is_valid = BRepCheck_Analyzer(input.face).IsValid();
     return Failure{Status::InvalidResult, Stage::Topology,

@@ -16,12 +16,21 @@
 namespace laminate_offset
 {
 
+//! What of a finished face is checked by BRepCheck_Analyzer.
+enum class FaceCheck
+{
+    Whole,   //!< everything
+    Topology //!< no geometry: that of curves, surfaces and vertices is proven, and the loops in parameters are those of
+             //!< faces that were checked as a whole
+};
+
 //! Builds the face with the base's loops, edge order, orientations and location, then checks it.
 //! A vertex of the base becomes several where an edge that is a point on the base opens up between them.
 //! Vertex and edge tolerances are those that the geometry shows, never less than OpenCASCADE's
 //! resolution.
 //! Refusal: InvalidResult.
-Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops);
+Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops,
+                               FaceCheck check = FaceCheck::Whole);
 
 //! The shell of the offsets of a creased face's parts, with the location of the base. The parts share no edges, so the
 //! shell is not connected.

@@ -30,6 +30,7 @@ struct OffsetEdge
     double last = 0.0;
     Deviation deviation;        //!< of the curve, or the point, from the offset surface at its pcurves and the base's
     double sampled_error = 0.0; //!< largest distance seen from the exact offset of the base edge [mm]
+    double moved = 0.0;         //!< part of the bound: how far the pcurve leads away from the base's [mm]
 };
 
 //! The offset edges; edge k belongs to the base edge bases(k + 1).

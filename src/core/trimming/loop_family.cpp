@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "loop_family.h"
+
+#include "../spline/geom_values.h"
+#include "../spline/knot_choice.h"
+#include "../spline/least_squares.h"
+
+#include <Geom_BSplineCurve.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int spare_samples = 3;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+// Roundings of the combination of two poles, with a margin.
+constexpr double rounding_operations = 8.0;
+
+KnotVector knots_of(const Geom_BSplineCurve &curve)
+{
+    KnotVector kv;
+    kv.degree = curve.Degree();
+    for (int i = 1; i <= curve.NbKnots(); ++i)
+        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
+    return kv;
+}
+
+bool clamped(const Geom_BSplineCurve &curve)
+{
+    return !curve.IsPeriodic() && curve.Multiplicity(1) == curve.Degree() + 1 &&
+           curve.Multiplicity(curve.NbKnots()) == curve.Degree() + 1;
+}
+
+//! The weight function of a curve.
+double weight_at(const KnotVector &kv, const Geom_BSplineCurve &curve, double t)
+{
+    double basis[max_spline_degree + 1];
+    const int span = kv.span(t);
+    basis_values(kv, span, t, basis);
+    double sum = 0.0;
+    for (int i = 0; i <= kv.degree; ++i)
+        sum += basis[i] * curve.Weight(span - kv.degree + i + 1);
+    return sum;
+}
+
+//! A curve on the knots and weights of another one, through samples of its target.
+Handle(Geom_BSplineCurve) on_same_knots(const Geom_BSplineCurve &pattern, const EdgeTarget &target)
+{
+    if (!clamped(pattern))
+        return {};
+    const KnotVector kv = knots_of(pattern);
+    const std::vector<double> parameters = chebyshev_parameters(kv.breaks(), kv.degree + spare_samples);
+    const auto solver = LeastSquaresFit::make(kv, parameters);
+    if (!solver)
+        return {};
+    const Eigen::Vector3d origin = target.value(0.5 * (kv.front() + kv.back()));
+    RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+    {
+        const double w = pattern.IsRational() ? weight_at(kv, pattern, parameters[i]) : 1.0;
+        rows.row(static_cast<Eigen::Index>(i)) = w * (target.value(parameters[i]) - origin).transpose();
+    }
+    const RowMatrix poles = solver->solve(rows);
+    const auto curve = Handle(Geom_BSplineCurve)::DownCast(pattern.Copy());
+    for (int i = 1; i <= curve->NbPoles(); ++i)
+    {
+        const Eigen::Vector3d pole = origin + poles.row(i - 1).transpose() / pattern.Weight(i);
+        curve->SetPole(i, gp_Pnt(pole.x(), pole.y(), pole.z()));
+    }
+    return curve;
+}
+
+//! The worst of the deviations from both sides of a seam, or from the only one there is.
+Deviation deviation_of(const OffsetEdge &edge, const Handle(Geom_Curve) & curve, const OffsetSurface &surface,
+                       const AnalyticSurface *form, double tolerance)
+{
+    Deviation worst{0.0, true};
+    for (const Handle(Geom2d_Curve) & pcurve : {edge.pcurve, edge.second_pcurve})
+    {
+        if (pcurve.IsNull())
+            continue;
+        const EdgeTarget target({surface.geometry, pcurve, edge.first, edge.last}, form);
+        const Deviation here = target.deviation(curve, tolerance);
+        worst = {std::max(worst.bound, here.bound), worst.proven && here.proven};
+    }
+    return worst;
+}
+
+//! The edge with its curve on the knots of `pattern`; nothing where that is not near enough.
+std::optional<OffsetEdge> recast(const OffsetEdge &edge, const OffsetEdge &pattern, const OffsetSurface &surface,
+                                 const AnalyticSurface *form, double tolerance)
+{
+    if (edge.curve.IsNull() || pattern.curve.IsNull())
+        return edge.curve.IsNull() && pattern.curve.IsNull() ? std::optional<OffsetEdge>(edge) : std::nullopt;
+    const auto spline = Handle(Geom_BSplineCurve)::DownCast(pattern.curve);
+    if (spline.IsNull())
+        return std::nullopt;
+    OffsetEdge result = edge;
+    const EdgeTarget target({surface.geometry, edge.pcurve, edge.first, edge.last}, form);
+    const Handle(Geom_BSplineCurve) curve = on_same_knots(*spline, target);
+    if (curve.IsNull())
+        return std::nullopt;
+    result.curve = curve;
+    result.deviation = deviation_of(edge, curve, surface, form, tolerance);
+    result.deviation.bound += edge.moved;
+    return result.deviation.bound <= tolerance ? std::optional<OffsetEdge>(result) : std::nullopt;
+}
+
+gp_Pnt between(const gp_Pnt &a, const gp_Pnt &b, double part) { return a.Translated(part * gp_Vec(a, b)); }
+
+//! The curve a part of the way from one to another on the same knots and weights.
+Handle(Geom_Curve) between(const Handle(Geom_Curve) & low, const Handle(Geom_Curve) & high, double part)
+{
+    if (low.IsNull())
+        return {};
+    const auto curve = Handle(Geom_BSplineCurve)::DownCast(low->Copy());
+    const auto other = Handle(Geom_BSplineCurve)::DownCast(high);
+    for (int i = 1; i <= curve->NbPoles(); ++i)
+        curve->SetPole(i, between(curve->Pole(i), other->Pole(i), part));
+    return Handle(Geom_Curve)(curve);
+}
+
+double size_of(const Handle(Geom_Curve) & curve)
+{
+    const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+    double size = 0.0;
+    for (int i = 1; !spline.IsNull() && i <= spline->NbPoles(); ++i)
+        size = std::max(size, spline->Pole(i).XYZ().Modulus());
+    return size;
+}
+
+//! Both ends' edges on the same knots, those of either end; nothing where neither serves.
+bool match(OffsetEdge &low, OffsetEdge &high, const FamilyEnds &ends, const AnalyticSurface *form_low,
+           const AnalyticSurface *form_high, double tolerance)
+{
+    if (auto recast_low = recast(low, high, ends.at_low, form_low, tolerance))
+    {
+        low = *std::move(recast_low);
+        return true;
+    }
+    if (auto recast_high = recast(high, low, ends.at_high, form_high, tolerance))
+    {
+        high = *std::move(recast_high);
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+TrimLoops LoopFamily::at(double distance) const
+{
+    const double part = (distance - low) / (high - low);
+    TrimLoops loops = at_low;
+    for (std::size_t k = 0; k < loops.edges.size(); ++k)
+    {
+        OffsetEdge &edge = loops.edges[k];
+        const OffsetEdge &other = at_high.edges[k];
+        const double size = std::max(size_of(edge.curve), size_of(other.curve));
+        edge.curve = between(at_low.edges[k].curve, other.curve, part);
+        edge.deviation.bound =
+            std::max(edge.deviation.bound, other.deviation.bound) + rounding_operations * epsilon * size;
+        edge.deviation.proven = edge.deviation.proven && other.deviation.proven;
+        edge.sampled_error = std::max(edge.sampled_error, other.sampled_error);
+    }
+    return loops;
+}
+
+Result<std::optional<LoopFamily>> loop_family(const InputFace &input, const BaseSurface &base, const FamilyEnds &ends,
+                                              double tolerance)
+{
+    Result<TrimLoops> low = offset_loops({input, base, ends.at_low, ends.low, tolerance});
+    if (!low)
+        return low.failure();
+    Result<TrimLoops> high = offset_loops({input, base, ends.at_high, ends.high, tolerance});
+    if (!high)
+        return high.failure();
+    const std::optional<AnalyticSurface> form_low = AnalyticSurface::make(ends.at_low.geometry);
+    const std::optional<AnalyticSurface> form_high = AnalyticSurface::make(ends.at_high.geometry);
+    LoopFamily family{std::move(low).value(), std::move(high).value(), ends.low, ends.high};
+    for (std::size_t k = 0; k < family.at_low.edges.size(); ++k)
+        if (!match(family.at_low.edges[k], family.at_high.edges[k], ends, form_low ? &*form_low : nullptr,
+                   form_high ? &*form_high : nullptr, tolerance))
+            return std::optional<LoopFamily>();
+    return std::optional<LoopFamily>(std::move(family));
+}
+
+} // namespace laminate_offset
