@@ -100,10 +100,10 @@ private:
         if (!loops.value())
             return own_edges(input.value(), analysis.value(), distances, made);
         const LoopFamily &family = *loops.value();
-        // members share their loops in parameters: where those of both ends are valid, so are those between
+        // members share their loops in parameters: where both ends are valid, so is every one between them
         const auto check = [&](std::size_t i) {
             const bool end = distances.all[i] == distances.low || distances.all[i] == distances.high;
-            return end ? FaceCheck::Whole : FaceCheck::Topology;
+            return end ? FaceCheck::Whole : FaceCheck::None;
         };
         return all_faces(
             input.value(), analysis.value(), made,

@@ -239,7 +239,7 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
                                FaceCheck check)
 {
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
-    if (BRepCheck_Analyzer(face, check == FaceCheck::Whole).IsValid())
+    if (check == FaceCheck::None || BRepCheck_Analyzer(face).IsValid())
         return face;
     const bool base_is_valid = BRepCheck_Analyzer(input.face).IsValid();
     return Failure{Status::InvalidResult, Stage::Topology,

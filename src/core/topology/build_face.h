@@ -16,15 +16,14 @@
 namespace laminate_offset
 {
 
-//! What of a finished face is checked by BRepCheck_Analyzer.
 enum class FaceCheck
 {
-    Whole,   //!< everything
-    Topology //!< no geometry: that of curves, surfaces and vertices is proven, and the loops in parameters are those of
-             //!< faces that were checked as a whole
+    Whole, //!< BRepCheck_Analyzer's verdict
+    None   //!< for members of a family: edges and vertices are proven to be near enough, and the loops in parameters,
+           //!< on which all else depends, are those of two members that were checked
 };
 
-//! Builds the face with the base's loops, edge order, orientations and location, then checks it.
+//! Builds the face with the base's loops, edge order, orientations and location, and checks it.
 //! A vertex of the base becomes several where an edge that is a point on the base opens up between them.
 //! Vertex and edge tolerances are those that the geometry shows, never less than OpenCASCADE's
 //! resolution.

@@ -6,6 +6,7 @@
 #include "../spline/least_squares.h"
 
 #include <Geom_BSplineCurve.hxx>
+#include <Precision.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +52,6 @@ double weight_at(const KnotVector &kv, const Geom_BSplineCurve &curve, double t)
 //! A curve on the knots and weights of another one, through samples of its target.
 Handle(Geom_BSplineCurve) on_same_knots(const Geom_BSplineCurve &pattern, const EdgeTarget &target)
 {
-    if (!clamped(pattern))
-        return {};
     const KnotVector kv = knots_of(pattern);
     const std::vector<double> parameters = chebyshev_parameters(kv.breaks(), kv.degree + spare_samples);
     const auto solver = LeastSquaresFit::make(kv, parameters);
@@ -75,6 +74,21 @@ Handle(Geom_BSplineCurve) on_same_knots(const Geom_BSplineCurve &pattern, const 
     return curve;
 }
 
+//! A curve over the knots of both, which can follow whatever either of them follows; nothing for rational curves.
+Handle(Geom_BSplineCurve) over_both(const Geom_BSplineCurve &a, const Geom_BSplineCurve &b)
+{
+    if (a.IsRational() || b.IsRational())
+        return {};
+    const auto curve = Handle(Geom_BSplineCurve)::DownCast(a.Copy());
+    const auto other = Handle(Geom_BSplineCurve)::DownCast(b.Copy());
+    const int degree = std::max(a.Degree(), b.Degree());
+    curve->IncreaseDegree(degree);
+    other->IncreaseDegree(degree);
+    for (int i = 2; i < other->NbKnots(); ++i)
+        curve->InsertKnot(other->Knot(i), other->Multiplicity(i), Precision::PConfusion());
+    return curve;
+}
+
 //! The worst of the deviations from both sides of a seam, or from the only one there is.
 Deviation deviation_of(const OffsetEdge &edge, const Handle(Geom_Curve) & curve, const OffsetSurface &surface,
                        const AnalyticSurface *form, double tolerance)
@@ -92,17 +106,14 @@ Deviation deviation_of(const OffsetEdge &edge, const Handle(Geom_Curve) & curve,
 }
 
 //! The edge with its curve on the knots of `pattern`; nothing where that is not near enough.
-std::optional<OffsetEdge> recast(const OffsetEdge &edge, const OffsetEdge &pattern, const OffsetSurface &surface,
-                                 const AnalyticSurface *form, double tolerance)
+std::optional<OffsetEdge> recast(const OffsetEdge &edge, const Handle(Geom_BSplineCurve) & pattern,
+                                 const OffsetSurface &surface, const AnalyticSurface *form, double tolerance)
 {
-    if (edge.curve.IsNull() || pattern.curve.IsNull())
-        return edge.curve.IsNull() && pattern.curve.IsNull() ? std::optional<OffsetEdge>(edge) : std::nullopt;
-    const auto spline = Handle(Geom_BSplineCurve)::DownCast(pattern.curve);
-    if (spline.IsNull())
+    if (pattern.IsNull())
         return std::nullopt;
     OffsetEdge result = edge;
     const EdgeTarget target({surface.geometry, edge.pcurve, edge.first, edge.last}, form);
-    const Handle(Geom_BSplineCurve) curve = on_same_knots(*spline, target);
+    const Handle(Geom_BSplineCurve) curve = on_same_knots(*pattern, target);
     if (curve.IsNull())
         return std::nullopt;
     result.curve = curve;
@@ -134,21 +145,47 @@ double size_of(const Handle(Geom_Curve) & curve)
     return size;
 }
 
-//! Both ends' edges on the same knots, those of either end; nothing where neither serves.
-bool match(OffsetEdge &low, OffsetEdge &high, const FamilyEnds &ends, const AnalyticSurface *form_low,
-           const AnalyticSurface *form_high, double tolerance)
+//! One end of the family, prepared for proofs.
+struct End
 {
-    if (auto recast_low = recast(low, high, ends.at_low, form_low, tolerance))
+    const OffsetSurface &surface;
+    std::optional<AnalyticSurface> form;
+    double tolerance = 0.0;
+
+    [[nodiscard]] std::optional<OffsetEdge> recast(const OffsetEdge &edge,
+                                                   const Handle(Geom_BSplineCurve) & pattern) const
+    {
+        return laminate_offset::recast(edge, pattern, surface, form ? &*form : nullptr, tolerance);
+    }
+};
+
+//! Both ends' edges on the same knots: those of either end, else those of both. False where nothing serves.
+bool match(OffsetEdge &low, OffsetEdge &high, const End &at_low, const End &at_high)
+{
+    if (low.curve.IsNull() && high.curve.IsNull())
+        return true;
+    const auto low_curve = Handle(Geom_BSplineCurve)::DownCast(low.curve);
+    const auto high_curve = Handle(Geom_BSplineCurve)::DownCast(high.curve);
+    if (low_curve.IsNull() || high_curve.IsNull() || !clamped(*low_curve) || !clamped(*high_curve))
+        return false;
+    if (auto recast_low = at_low.recast(low, high_curve))
     {
         low = *std::move(recast_low);
         return true;
     }
-    if (auto recast_high = recast(high, low, ends.at_high, form_high, tolerance))
+    if (auto recast_high = at_high.recast(high, low_curve))
     {
         high = *std::move(recast_high);
         return true;
     }
-    return false;
+    const Handle(Geom_BSplineCurve) pattern = over_both(*low_curve, *high_curve);
+    auto both_low = at_low.recast(low, pattern);
+    auto both_high = at_high.recast(high, pattern);
+    if (!both_low || !both_high)
+        return false;
+    low = *std::move(both_low);
+    high = *std::move(both_high);
+    return true;
 }
 
 } // namespace
@@ -180,12 +217,11 @@ Result<std::optional<LoopFamily>> loop_family(const InputFace &input, const Base
     Result<TrimLoops> high = offset_loops({input, base, ends.at_high, ends.high, tolerance});
     if (!high)
         return high.failure();
-    const std::optional<AnalyticSurface> form_low = AnalyticSurface::make(ends.at_low.geometry);
-    const std::optional<AnalyticSurface> form_high = AnalyticSurface::make(ends.at_high.geometry);
+    const End at_low{ends.at_low, AnalyticSurface::make(ends.at_low.geometry), tolerance};
+    const End at_high{ends.at_high, AnalyticSurface::make(ends.at_high.geometry), tolerance};
     LoopFamily family{std::move(low).value(), std::move(high).value(), ends.low, ends.high};
     for (std::size_t k = 0; k < family.at_low.edges.size(); ++k)
-        if (!match(family.at_low.edges[k], family.at_high.edges[k], ends, form_low ? &*form_low : nullptr,
-                   form_high ? &*form_high : nullptr, tolerance))
+        if (!match(family.at_low.edges[k], family.at_high.edges[k], at_low, at_high))
             return std::optional<LoopFamily>();
     return std::optional<LoopFamily>(std::move(family));
 }
