@@ -199,6 +199,12 @@ TrimLoops LoopFamily::at(double distance) const
         OffsetEdge &edge = loops.edges[k];
         const OffsetEdge &other = at_high.edges[k];
         const double size = std::max(size_of(edge.curve), size_of(other.curve));
+        if (other.moved < edge.moved) // the bounds hold for the base's pcurve too
+        {
+            edge.pcurve = other.pcurve;
+            edge.second_pcurve = other.second_pcurve;
+            edge.moved = other.moved;
+        }
         edge.curve = between(at_low.edges[k].curve, other.curve, part);
         edge.deviation.bound =
             std::max(edge.deviation.bound, other.deviation.bound) + rounding_operations * epsilon * size;

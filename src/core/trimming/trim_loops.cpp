@@ -136,6 +136,7 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
     edge.last = base.last;
     const auto [pcurve, moved] = carried(context, base, form);
     edge.pcurve = pcurve;
+    edge.moved = moved;
     const CurveOnSurface on_surface{context.surface.geometry, edge.pcurve, base.first, base.last};
     const EdgeTarget target(on_surface, form);
     if (base.degenerated)
@@ -170,6 +171,7 @@ void add_second_side(const EdgeContext &context, const TrimmingCurve &curve, con
         return;
     const auto [pcurve, moved] = carried(context, curve, form);
     edge.second_pcurve = pcurve;
+    edge.moved = std::max(edge.moved, moved);
     const EdgeTarget other({context.surface.geometry, edge.second_pcurve, edge.first, edge.last}, form);
     const Deviation deviation = other.deviation(edge.curve, context.tolerance);
     edge.deviation.bound = std::max(edge.deviation.bound, deviation.bound + moved);
