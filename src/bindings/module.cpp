@@ -6,6 +6,7 @@
 #include "offset_face_binding.h"
 #include "offset_limits_binding.h"
 #include "offset_options_binding.h"
+#include "offset_stack_binding.h"
 #include "project_curve_binding.h"
 #include "shape_exchange.h"
 
@@ -46,4 +47,5 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_offset_limits(module);
     laminate_offset::python::bind_nearest_point(module);
     laminate_offset::python::bind_project_curve(module);
+    laminate_offset::python::bind_offset_stack(module);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_face_binding.h"
 
+#include "detached_shape.h"
 #include "offset_error.h"
 #include "offset_options_binding.h"
 #include "offset_report_binding.h"
@@ -8,11 +9,6 @@
 #include "shape_exchange.h"
 
 #include <laminate_offset/offset_face.h>
-
-#include <BRepBuilderAPI_Copy.hxx>
-#include <BRep_Tool.hxx>
-#include <Standard_Failure.hxx>
-#include <TopoDS.hxx>
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -24,30 +20,6 @@ namespace laminate_offset::python
 {
 namespace
 {
-
-bool has_surface(const TopoDS_Shape &shape)
-{
-    if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
-        return false;
-    TopLoc_Location location;
-    return !BRep_Tool::Surface(TopoDS::Face(shape), location).IsNull();
-}
-
-//! A face of its own topology over the same surface and curves. While the engine works without the
-//! GIL, FreeCAD may mesh the original on another thread, which changes its TShape.
-TopoDS_Shape detached(const TopoDS_Shape &shape)
-{
-    if (!has_surface(shape))
-        return shape;
-    try
-    {
-        return BRepBuilderAPI_Copy(shape, /*copyGeom=*/false, /*copyMesh=*/false).Shape();
-    }
-    catch (const Standard_Failure &)
-    {
-        return shape; // too broken to copy: the engine says what is wrong with it
-    }
-}
 
 //! The core reports from inside its long stages only; the begin and the end are told here, so that every
 //! computation can be watched and cancelled.

@@ -99,6 +99,6 @@ def test_nothing_is_offered_that_is_not_there_yet() -> None:
     names = (
         "CurveProjection Layup LayupError Material NearestPoints OffsetError OffsetLimits OffsetReport OffsetResult "
     )
-    names += "PhysicalPly Ply layup_from_notation materials nearest_point offset_face offset_limits project_curve "
-    names += "read_layup read_material shape_exchange"
+    names += "PhysicalPly Ply PlyStack StackPly layup_from_notation materials nearest_point offset_face offset_limits "
+    names += "project_curve read_layup read_material shape_exchange stack_plies"
     assert sorted(lo.__all__) == names.split()

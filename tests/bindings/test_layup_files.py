@@ -6,7 +6,7 @@ import os
 import random
 import re
 from pathlib import Path
-from typing import Any, List
+from typing import Any, Dict, List
 
 import laminate_offset as lo
 import layup_cases
@@ -354,8 +354,12 @@ def test_the_documentation_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     text = (ROOT / "docs" / "layup.md").read_text(encoding="utf-8")
     (tmp_path / "resources").symlink_to(ROOT / "resources")
     monkeypatch.chdir(tmp_path)
-    (example,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    exec(compile(example, "layup.md", "exec"), {})
+    names: Dict[str, Any] = {}
+    examples = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    assert len(examples) == 2
+    for example in examples:
+        exec(compile(example, "layup.md", "exec"), names)
+    assert (tmp_path / "plies.step").exists() and len(names["laid"].plies) == 16
     assert "[45/0/±45/90/0]" in capsys.readouterr().out
     (job,) = re.findall(r"^```yaml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     assert read(tmp_path, job, "job.yaml").notation() == "[45_2]s"

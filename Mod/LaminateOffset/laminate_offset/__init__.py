@@ -48,6 +48,7 @@ from .layup import (
     read_material,
 )
 from .report import OffsetReport
+from .stack import PlyStack, StackPly, stack_plies
 
 select_at_import()
 
@@ -64,6 +65,8 @@ __all__ = [
     "OffsetResult",
     "PhysicalPly",
     "Ply",
+    "PlyStack",
+    "StackPly",
     "layup_from_notation",
     "materials",
     "nearest_point",
@@ -73,4 +76,5 @@ __all__ = [
     "read_layup",
     "read_material",
     "shape_exchange",
+    "stack_plies",
 ]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compiled part of laminate_offset. Use the functions of laminate_offset instead."""
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 __version__: str
 occt_version: str
@@ -18,6 +18,13 @@ def offset_face(
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Tuple[Any, Dict[str, Any]]: ...
 def offset_limits(shape: Any) -> str: ...
+def offset_stack(
+    shape: Any,
+    distances: Sequence[float],
+    tolerance: float = ...,
+    max_degree: Optional[int] = ...,
+    progress: Optional[Callable[[float], Optional[bool]]] = ...,
+) -> Tuple[List[Tuple[Any, Dict[str, Any]]], bool, float]: ...
 def project_curve(
     shape: Any, edge_or_wire: Any, tolerance: float = ..., outside: str = ...
 ) -> Tuple[Any, List[Dict[str, Any]], Optional[float], float]: ...

@@ -234,17 +234,18 @@ def offset_face(
     """
     shape, report = _core.offset_face(
         face,
-        _millimetres(distance, "distance"),
-        _millimetres(tolerance, "tolerance"),
+        millimetres(distance, "distance"),
+        millimetres(tolerance, "tolerance"),
         method,
-        _millimetres(extension, "extension"),
+        millimetres(extension, "extension"),
         max_degree,
         progress,
     )
     return OffsetResult(shape, OffsetReport(report))
 
 
-def _millimetres(length: Any, name: str) -> float:
+def millimetres(length: Any, name: str) -> float:
+    """A number in mm from a number or a FreeCAD length; errors call it `name`."""
     if not isinstance(length, FreeCAD.Units.Quantity):
         if isinstance(length, (str, bytes)):
             raise TypeError(f"{name} must be a number in mm or a FreeCAD length, not the text {length!r}.")

@@ -17,7 +17,9 @@ from .api import OffsetResult, Progress, offset_face, offset_limits
 from .errors import OffsetError
 from .files import check_writable, format_of, read_faces, write_json, write_shape
 from .lines import take_over
+from .layup import read_layup
 from .replacing import FileError
+from .stack import SURFACES, stack_plies
 
 DONE, REFUSED, BAD_USAGE, CANCELLED = 0, 1, 2, 130
 
@@ -56,6 +58,7 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_offset_command(commands)
     _add_limits_command(commands)
+    _add_plies_command(commands)
     return parser
 
 
@@ -124,6 +127,39 @@ def _add_limits_command(commands: Any) -> None:
     add("--report", metavar="R.json", help="write the limits and their places as JSON")
 
 
+def _add_plies_command(commands: Any) -> None:
+    parser = commands.add_parser(
+        "plies",
+        help="lay the plies of a layup on one face of a file",
+        description="Lays the plies of a layup table on one face of a STEP, IGES, BREP or FCStd file and writes one "
+        "face for each ply, from the tool outwards. All of them come from one fit.",
+    )
+    parser.set_defaults(command=_plies)
+    add = parser.add_argument
+    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
+    add("--face", required=True, type=_one_face_number, metavar="N", help="face number from 1")
+    add("--layup", required=True, metavar="LAYUP", help="layup table (.csv) or document (.json, .yaml)")
+    add(
+        "--tolerance",
+        type=float,
+        default=_core.default_options()["tolerance"],
+        metavar="T",
+        help="in mm (default: %(default)s)",
+    )
+    add("--direction", choices=("normal", "reversed"), help="side of the face to stack on (default: the layup's own)")
+    add("--surface", choices=SURFACES, default="top", help="surface of each ply to write (default: %(default)s)")
+    add("-o", "--output", required=True, metavar="OUT", help=".step, .iges, .brep or .FCStd file")
+    add("--report", metavar="R.json", help="write the stack's report as JSON, with one entry for every ply")
+
+
+def _one_face_number(text: str) -> int:
+    """A face number; a stack needs one face."""
+    number = _face_number(text)
+    if number is None:
+        raise argparse.ArgumentTypeError("a stack lies on one face; give its number")
+    return number
+
+
 def _face_number(text: str) -> Optional[int]:
     """A face number, or None for all."""
     if text == "all":
@@ -172,6 +208,33 @@ def _limits(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     if arguments.report:
         write_json(reports[0] if arguments.face is not None else reports, arguments.report)
     return DONE if all(report["status"] == "ok" for report in reports) else REFUSED
+
+
+def _plies(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
+    _check_outputs(arguments.input, arguments.output, arguments.report)
+    layup = read_layup(arguments.layup)
+    ((_, face),) = _choose(read_faces(arguments.input), arguments.face, arguments.input)
+    try:
+        with _Bar(1, err) as bar:
+            stack = stack_plies(
+                face,
+                layup,
+                arguments.tolerance,
+                arguments.direction,
+                arguments.surface,
+                progress=bar.progress_after(0),
+            )
+    except OffsetError as refusal:
+        print(f"laminate-offset: face {arguments.face} refused at {refusal.stage}: {refusal}", file=err)
+        if arguments.report:
+            write_json(refusal.report.to_dict(), arguments.report)
+        return REFUSED
+    write_shape(stack.to_shape(), arguments.output, f"{len(stack.plies)} plies")
+    print(f"laminate-offset: wrote {arguments.output}", file=err)
+    print(f"face {arguments.face}: {stack.summary()}", file=out)
+    if arguments.report:
+        write_json({**stack.report, "stack": stack.ply_reports()}, arguments.report)
+    return DONE
 
 
 def _limits_of(number: int, face: "Part.Face", out: TextIO, err: TextIO) -> Dict[str, Any]:
