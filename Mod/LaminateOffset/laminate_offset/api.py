@@ -173,7 +173,7 @@ def project_curve(
         TypeError: an argument is not a Part shape.
     """
     wire, edges, certified_error, distance = _core.project_curve(
-        face, edge_or_wire, _millimetres(tolerance, "tolerance"), outside
+        face, edge_or_wire, millimetres(tolerance, "tolerance"), outside
     )
     on_face = [edge.curveOnSurface(0) for edge in wire.Edges]  # (curve, surface, placement, first, last)
     pcurves = [(curve, first, last) for curve, _, _, first, last in on_face]
