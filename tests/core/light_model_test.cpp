@@ -148,6 +148,25 @@ TEST(DataReduction, KeepsAClosedSurfaceClosed)
         EXPECT_EQ(result->spline.pole(0, j), result->spline.pole(result->spline.u.pole_count() - 1, j));
 }
 
+TEST(DataReduction, KeepsADentThatFewCurvesShow)
+{
+    constexpr int count = 80;
+    const TensorSpline smooth = panel(500.0, count);
+    for (int place = 1; place < count - 1; place += 7)
+    {
+        TensorSpline dented = smooth;
+        dented.poles[static_cast<std::size_t>(place * count + count - 1 - place)].z() += 5.0;
+        const DataReduction reduction(dented);
+        for (const double tolerance : {1e-2, 1e-3})
+        {
+            const std::optional<ReducedSpline> result = reduction.within(tolerance);
+            ASSERT_TRUE(result) << place;
+            EXPECT_LE(result->largest, tolerance);
+            EXPECT_LE(differences(dented, result->spline, 241).point, result->largest);
+        }
+    }
+}
+
 TEST(DataReduction, LeavesRationalSurfacesAlone)
 {
     TensorSpline rational = panel(500.0, 60);

@@ -341,3 +341,63 @@ TEST(PatchTree, EnclosesPointsAndDerivatives)
         EXPECT_GE(tree.node(PatchTree::root()).lower, 0);
     }
 }
+
+TEST(PatchTree, HalvedPiecesEncloseTheirOwnPart)
+{
+    RandomCases random;
+    for (int run = 0; run < 20; ++run)
+    {
+        const TensorSpline spline = from_geom(random_surface(random, {.spans_u = 3, .rational = run % 2 == 1}));
+        PatchTree tree(spline);
+        int index = PatchTree::root();
+        for (int level = 0; level < 16; ++level)
+        {
+            if (level % 2 == 0)
+                tree.split(index);
+            else
+                tree.split_where_it_bends(index);
+            index = random.integer(0, 1) == 0 ? tree.node(index).lower : tree.node(index).upper;
+            const PatchNode &node = tree.node(index);
+            const double u = random.uniform(node.box.umin, node.box.umax);
+            const double v = random.uniform(node.box.vmin, node.box.vmax);
+            const SurfaceJet jet = spline.jets({u}, {v}, 1).front();
+            EXPECT_LT(node.bounds.du.exteriorDistance(jet.u), 1e-9 * jet.u.norm());
+            EXPECT_LT(node.bounds.dv.exteriorDistance(jet.v), 1e-9 * jet.v.norm());
+        }
+        const PatchNode &node = tree.node(index);
+        EXPECT_TRUE(node.is_piece());
+        EXPECT_LT(node.bounds.du.sizes().norm(), 0.5 * node.bounds.du.center().norm()) << "the enclosure says nothing";
+        EXPECT_LT(node.bounds.dv.sizes().norm(), 0.5 * node.bounds.dv.center().norm());
+    }
+}
+
+TEST(PatchTree, HalvesALongPieceAcrossItsBend)
+{
+    TensorSpline spline{clamped_knots(3, 0.0, 1.0, {}), clamped_knots(1, 0.0, 1.0, {}), {}, false};
+    for (const auto &[x, z] : {std::pair{0.0, 1.0}, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}})
+        for (const double y : {0.0, 1000.0})
+            spline.poles.emplace_back(x, y, z, 1.0);
+    PatchTree bent(spline), halved(spline);
+    bent.split_where_it_bends(PatchTree::root());
+    EXPECT_EQ(bent.node(bent.node(PatchTree::root()).lower).box.umax, 0.5);
+    halved.split(PatchTree::root());
+    EXPECT_EQ(halved.node(halved.node(PatchTree::root()).lower).box.vmax, 0.5);
+}
+
+TEST(PatchBounds, AWholeTubeIsNotOneToOneButAQuarterIs)
+{
+    for (const double radius : {1e-3, 1.0, 1e4})
+        for (const double turn : {0.2, 0.5 * M_PI, 2.0 * M_PI})
+            for (const bool rational : {true, false})
+            {
+                const Handle(Geom_Surface) tube = new Geom_RectangularTrimmedSurface(
+                    new Geom_CylindricalSurface(gp_Ax3(), radius), 0.0, turn, 0.0, 3.0 * radius);
+                TensorSpline spline = from_geom(GeomConvert::SurfaceToBSplineSurface(tube));
+                ASSERT_TRUE(spline.rational);
+                if (!rational)
+                    for (Eigen::Vector4d &pole : spline.poles)
+                        pole /= pole.w();
+                spline.rational = rational;
+                EXPECT_EQ(one_to_one_whole(spline), turn < 2.0) << radius << " " << turn << " " << rational;
+            }
+}

@@ -6,8 +6,11 @@
 #include "../spline/data_reduction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace laminate_offset
 {
@@ -31,136 +34,217 @@ constexpr std::size_t most_blocks = 24;
 constexpr double small_angle = 0.1;
 constexpr double small_angle_factor = 1.01;
 
-//! Poles of a spline or one of its derivatives. Each may be wrong by rounding * rise_u * rise_v in each coordinate.
-struct Net
-{
-    KnotVector u;
-    KnotVector v;
-    std::vector<Eigen::Vector3d> poles;
-    std::vector<double> rise_u;
-    std::vector<double> rise_v;
-
-    [[nodiscard]] const Eigen::Vector3d &pole(std::size_t i, std::size_t j) const
-    {
-        return poles[i * rise_v.size() + j];
-    }
-};
-
-Net net_of(const KnotVector &u, const KnotVector &v, std::vector<Eigen::Vector3d> poles)
-{
-    return {u, v, std::move(poles), std::vector<double>(static_cast<std::size_t>(u.pole_count()), 1.0),
-            std::vector<double>(static_cast<std::size_t>(v.pole_count()), 1.0)};
-}
-
-//! Factors degree / (t_{i+p+1} - t_{i+1}) of the derivative's poles; 0 where a pole has no support.
-std::vector<double> derivative_factors(const KnotVector &kv)
-{
-    std::vector<double> factors;
-    for (int i = 0; i + 1 < kv.pole_count(); ++i)
-    {
-        const double support =
-            kv.knots[static_cast<std::size_t>(i + kv.degree + 1)] - kv.knots[static_cast<std::size_t>(i) + 1];
-        factors.push_back(support > 0.0 ? kv.degree / support : 0.0);
-    }
-    return factors;
-}
-
-KnotVector derivative_knots(const KnotVector &kv)
-{
-    return {kv.degree - 1, {kv.knots.begin() + 1, kv.knots.end() - 1}};
-}
-
-std::vector<double> derivative_rise(const std::vector<double> &factors, const std::vector<double> &rise)
-{
-    std::vector<double> result;
-    for (std::size_t i = 0; i < factors.size(); ++i)
-        result.push_back(factors[i] * (rise[i] + rise[i + 1]));
-    return result;
-}
-
-Net derivative_u(const Net &net)
-{
-    const std::vector<double> factors = derivative_factors(net.u);
-    Net result{derivative_knots(net.u), net.v, {}, derivative_rise(factors, net.rise_u), net.rise_v};
-    result.poles.reserve(factors.size() * net.rise_v.size());
-    for (std::size_t i = 0; i < factors.size(); ++i)
-        for (std::size_t j = 0; j < net.rise_v.size(); ++j)
-            result.poles.emplace_back(factors[i] * (net.pole(i + 1, j) - net.pole(i, j)));
-    return result;
-}
-
-Net derivative_v(const Net &net)
-{
-    const std::vector<double> factors = derivative_factors(net.v);
-    Net result{net.u, derivative_knots(net.v), {}, net.rise_u, derivative_rise(factors, net.rise_v)};
-    result.poles.reserve(factors.size() * net.rise_u.size());
-    for (std::size_t i = 0; i < net.rise_u.size(); ++i)
-        for (std::size_t j = 0; j < factors.size(); ++j)
-            result.poles.emplace_back(factors[j] * (net.pole(i, j + 1) - net.pole(i, j)));
-    return result;
-}
-
-//! First and second derivatives.
-struct Derivatives
-{
-    explicit Derivatives(const Net &net)
-        : u(derivative_u(net)), v(derivative_v(net)), uu(derivative_u(u)), uv(derivative_v(u)), vv(derivative_v(v))
-    {
-    }
-
-    Net u, v, uu, uv, vv;
-};
+//! One number for every pole, or for every block.
+using Grid = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct IndexRange
 {
-    std::size_t first = 0;
-    std::size_t last = 0; //!< inclusive
+    Eigen::Index first = 0;
+    Eigen::Index last = 0; //!< inclusive
 };
 
-//! Poles whose basis functions do not vanish between two breaks.
-IndexRange active(const KnotVector &kv, double low, double high)
+//! One direction of a spline: what its derivatives and its blocks need of the knots.
+class Direction
 {
-    const auto past = std::lower_bound(kv.knots.begin(), kv.knots.end(), high) - kv.knots.begin();
-    return {static_cast<std::size_t>(kv.span(low) - kv.degree), static_cast<std::size_t>(past - 1)};
+public:
+    explicit Direction(const KnotVector &kv) : m_poles(kv.pole_count())
+    {
+        m_factors.push_back(factors(kv, 0));
+        m_factors.push_back(factors(kv, 1));
+        const std::vector<double> breaks = kv.breaks();
+        const std::size_t spans = breaks.size() - 1;
+        const std::size_t blocks = std::min(most_blocks, spans);
+        for (std::size_t b = 0; b < blocks; ++b)
+        {
+            const double high = breaks[(b + 1) * spans / blocks];
+            const auto past = std::lower_bound(kv.knots.begin(), kv.knots.end(), high) - kv.knots.begin();
+            m_ranges.push_back({kv.span(breaks[b * spans / blocks]) - kv.degree, past - 1});
+        }
+    }
+
+    [[nodiscard]] Eigen::Index poles() const { return m_poles; }
+    [[nodiscard]] Eigen::Index blocks() const { return static_cast<Eigen::Index>(m_ranges.size()); }
+
+    //! The differences of the poles of a derivative of this order times these are the poles of the next one.
+    [[nodiscard]] const Eigen::ArrayXd &factors(int order) const { return m_factors[static_cast<std::size_t>(order)]; }
+
+    //! Poles of the derivative of this order whose basis functions do not vanish on a block.
+    [[nodiscard]] IndexRange active(Eigen::Index block, int order) const
+    {
+        const IndexRange &range = m_ranges[static_cast<std::size_t>(block)];
+        return {range.first, range.last - order};
+    }
+
+private:
+    //! degree / (t_{i+p+1} - t_{i+1}) over the derivative's own knots; 0 where a pole has no support.
+    static Eigen::ArrayXd factors(const KnotVector &kv, int order)
+    {
+        const int degree = kv.degree - order;
+        Eigen::ArrayXd result(kv.pole_count() - order - 1);
+        for (Eigen::Index i = 0; i < result.size(); ++i)
+        {
+            const auto at = [&](Eigen::Index k) { return kv.knots[static_cast<std::size_t>(k + order)]; };
+            const double support = at(i + degree + 1) - at(i + 1);
+            result[i] = support > 0.0 ? degree / support : 0.0;
+        }
+        return result;
+    }
+
+    Eigen::Index m_poles;
+    std::vector<Eigen::ArrayXd> m_factors;
+    std::vector<IndexRange> m_ranges;
+};
+
+//! Poles of a spline or one of its derivatives. Each may be wrong by rounding * rise_u * rise_v in each coordinate.
+struct Net
+{
+    std::array<Grid, 3> xyz;
+    Eigen::ArrayXd rise_u;
+    Eigen::ArrayXd rise_v;
+    int order_u = 0;
+    int order_v = 0;
+};
+
+Eigen::ArrayXd derivative_rise(const Eigen::ArrayXd &factors, const Eigen::ArrayXd &rise)
+{
+    return factors * (rise.head(factors.size()) + rise.tail(factors.size()));
 }
 
-template <typename Visit> void visit_active(const Net &net, const ParameterBox &box, const Visit &visit)
+Net derivative_u(const Net &net, const Direction &along)
 {
-    const IndexRange us = active(net.u, box.umin, box.umax);
-    const IndexRange vs = active(net.v, box.vmin, box.vmax);
-    for (std::size_t i = us.first; i <= us.last; ++i)
-        for (std::size_t j = vs.first; j <= vs.last; ++j)
-            visit(i, j);
+    const Eigen::ArrayXd &factors = along.factors(net.order_u);
+    Net result{{}, derivative_rise(factors, net.rise_u), net.rise_v, net.order_u + 1, net.order_v};
+    for (std::size_t e = 0; e < 3; ++e)
+        result.xyz[e] =
+            (net.xyz[e].bottomRows(factors.size()) - net.xyz[e].topRows(factors.size())).colwise() * factors;
+    return result;
 }
 
-//! The values of a first derivative over a block: inside a cone, and between two lengths. Convex combinations of
-//! the poles as they are, the values keep what the poles keep.
+Net derivative_v(const Net &net, const Direction &along)
+{
+    const Eigen::ArrayXd &factors = along.factors(net.order_v);
+    Net result{{}, net.rise_u, derivative_rise(factors, net.rise_v), net.order_u, net.order_v + 1};
+    for (std::size_t e = 0; e < 3; ++e)
+        result.xyz[e] = (net.xyz[e].rightCols(factors.size()) - net.xyz[e].leftCols(factors.size())).rowwise() *
+                        factors.transpose();
+    return result;
+}
+
+//! The blocks of a spline, over which the poles of its derivatives are joined: largest, least, sum.
+class Blocks
+{
+public:
+    explicit Blocks(const TensorSpline &spline) : m_u(spline.u), m_v(spline.v) {}
+
+    [[nodiscard]] const Direction &u() const { return m_u; }
+    [[nodiscard]] const Direction &v() const { return m_v; }
+
+    //! `join` of a figure of a net's poles over every block, first along one direction, then along the other.
+    template <typename Join> [[nodiscard]] Grid joined(const Net &net, const Grid &figures, const Join &join) const
+    {
+        Grid result(m_u.blocks(), m_v.blocks());
+        std::vector<double> row(static_cast<std::size_t>(figures.cols()));
+        for (Eigen::Index b = 0; b < m_u.blocks(); ++b)
+        {
+            const IndexRange us = m_u.active(b, net.order_u);
+            std::copy_n(figures.row(us.first).data(), row.size(), row.data());
+            for (Eigen::Index i = us.first + 1; i <= us.last; ++i)
+                std::transform(row.begin(), row.end(), figures.row(i).data(), row.begin(), join);
+            for (Eigen::Index c = 0; c < m_v.blocks(); ++c)
+            {
+                const IndexRange vs = m_v.active(c, net.order_v);
+                result(b, c) = std::accumulate(row.begin() + vs.first + 1, row.begin() + vs.last + 1,
+                                               row[static_cast<std::size_t>(vs.first)], join);
+            }
+        }
+        return result;
+    }
+
+    [[nodiscard]] Grid largest(const Net &net, const Grid &figures) const
+    {
+        return joined(net, figures, [](double a, double b) { return a < b ? b : a; });
+    }
+
+    //! Mean of the poles, a grid for each coordinate.
+    [[nodiscard]] std::array<Grid, 3> means(const Net &net) const
+    {
+        std::array<Grid, 3> result;
+        for (std::size_t e = 0; e < 3; ++e)
+            result[e] = joined(net, net.xyz[e], std::plus<>());
+        for (Eigen::Index b = 0; b < m_u.blocks(); ++b)
+            for (Eigen::Index c = 0; c < m_v.blocks(); ++c)
+            {
+                const IndexRange us = m_u.active(b, net.order_u);
+                const IndexRange vs = m_v.active(c, net.order_v);
+                const double count = static_cast<double>((us.last - us.first + 1) * (vs.last - vs.first + 1));
+                for (Grid &grid : result)
+                    grid(b, c) /= count;
+            }
+        return result;
+    }
+
+    //! Longest values, the rounding of the poles included.
+    [[nodiscard]] Grid longest(const Net &net, double rounding) const
+    {
+        Grid result = largest(net, net.xyz[0].square() + net.xyz[1].square() + net.xyz[2].square()).sqrt();
+        for (Eigen::Index b = 0; b < result.rows(); ++b)
+            for (Eigen::Index c = 0; c < result.cols() && rounding > 0.0; ++c)
+                result(b, c) += std::sqrt(3.0) * rounding * largest(net.rise_u, m_u.active(b, net.order_u)) *
+                                largest(net.rise_v, m_v.active(c, net.order_v));
+        return result;
+    }
+
+private:
+    static double largest(const Eigen::ArrayXd &values, const IndexRange &range)
+    {
+        return values.segment(range.first, range.last - range.first + 1).maxCoeff();
+    }
+
+    Direction m_u;
+    Direction m_v;
+};
+
+//! Longest first and second derivatives over every block.
+struct Lengths
+{
+    Grid u, v, uu, uv, vv;
+};
+
+//! The values of a first derivative over a block: inside a cone, and longer than the least component along its axis.
+//! Convex combinations of the poles as they are, the values keep what the poles keep.
 struct Cone
 {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero(); //!< mean of the poles
-    double angle = 0.0;                             //!< [rad]; above a right angle the cone says nothing
-    double shortest = 0.0;
-    double longest = 0.0;
+    double angle = 0.0;                             //!< [rad]; a right angle where the cone says nothing
+    double shortest = 0.0;                          //!< not positive where the derivative may vanish
 };
 
-Cone cone_over(const Net &net, const ParameterBox &box)
+Cone cone_about(const Eigen::Vector3d &axis, const Net &net, const IndexRange &us, const IndexRange &vs)
 {
-    Cone cone;
-    double count = 0.0;
-    visit_active(net, box, [&](std::size_t i, std::size_t j) {
-        cone.axis += net.pole(i, j);
-        count += 1.0;
-    });
-    cone.axis /= count;
-    const Eigen::Vector3d direction = cone.axis.normalized();
-    cone.shortest = cone.axis.norm();
-    visit_active(net, box, [&](std::size_t i, std::size_t j) {
-        const Eigen::Vector3d &pole = net.pole(i, j);
-        cone.angle = std::max(cone.angle, std::atan2(pole.cross(direction).norm(), pole.dot(direction)));
-        cone.shortest = std::min(cone.shortest, pole.dot(direction));
-        cone.longest = std::max(cone.longest, pole.norm());
-    });
+    Cone cone{axis, 0.0, axis.norm()};
+    const Eigen::Vector3d direction = axis.normalized();
+    double square = 0.0; // of the largest tangent of the angle
+    for (Eigen::Index i = us.first; i <= us.last; ++i)
+        for (Eigen::Index j = vs.first; j <= vs.last; ++j)
+        {
+            const Eigen::Vector3d pole(net.xyz[0](i, j), net.xyz[1](i, j), net.xyz[2](i, j));
+            const double along = pole.dot(direction);
+            cone.shortest = std::min(cone.shortest, along);
+            square = std::max(square, pole.cross(direction).squaredNorm() / (along * along));
+        }
+    cone.angle = cone.shortest > 0.0 ? std::atan(std::sqrt(square)) : M_PI_2;
     return cone;
+}
+
+std::vector<Cone> cones(const Blocks &blocks, const Net &net)
+{
+    const std::array<Grid, 3> mean = blocks.means(net);
+    std::vector<Cone> result;
+    for (Eigen::Index b = 0; b < blocks.u().blocks(); ++b)
+        for (Eigen::Index c = 0; c < blocks.v().blocks(); ++c)
+            result.push_back(cone_about({mean[0](b, c), mean[1](b, c), mean[2](b, c)}, net,
+                                        blocks.u().active(b, net.order_u), blocks.v().active(c, net.order_v)));
+    return result;
 }
 
 //! Least sine of the angle between a vector of one cone and one of the other; 0 where they may be parallel.
@@ -172,124 +256,113 @@ double least_sine(const Cone &a, const Cone &b)
     return low > 0.0 && high < M_PI ? std::min(std::sin(low), std::sin(high)) : 0.0;
 }
 
-Eigen::Vector3d mean_over(const Net &net, const ParameterBox &box)
-{
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double count = 0.0;
-    visit_active(net, box, [&](std::size_t i, std::size_t j) {
-        sum += net.pole(i, j);
-        count += 1.0;
-    });
-    return sum / count;
-}
-
-//! Longest value over a block, the rounding of the poles included.
-double longest_over(const Net &net, double rounding, const ParameterBox &box)
-{
-    double square = 0.0;
-    double rise = 0.0;
-    visit_active(net, box, [&](std::size_t i, std::size_t j) {
-        square = std::max(square, net.pole(i, j).squaredNorm());
-        rise = std::max(rise, net.rise_u[i] * net.rise_v[j]);
-    });
-    return std::sqrt(square) + std::sqrt(3.0) * rounding * rise;
-}
-
-std::vector<double> block_ends(const std::vector<double> &breaks)
-{
-    const std::size_t spans = breaks.size() - 1;
-    const std::size_t blocks = std::min(most_blocks, spans);
-    std::vector<double> ends;
-    for (std::size_t b = 0; b <= blocks; ++b)
-        ends.push_back(breaks[b * spans / blocks]);
-    return ends;
-}
-
-//! The model's error over blocks of the base; infinite where a block may hold a place without a normal.
-class ErrorBound
+//! What every model of one base is held against.
+class BaseBounds
 {
 public:
-    ErrorBound(const TensorSpline &base, const Derivatives &derivatives, const ReducedSpline &model)
-        : m_derivatives(derivatives), m_change(net_of(base.u, base.v, model.change)), m_rounding(model.rounding)
+    explicit BaseBounds(const TensorSpline &base) : m_blocks(base)
     {
-        m_error.point = model.largest;
-        const std::vector<double> us = block_ends(base.u.breaks());
-        const std::vector<double> vs = block_ends(base.v.breaks());
-        for (std::size_t i = 0; i + 1 < us.size(); ++i)
-            for (std::size_t j = 0; j + 1 < vs.size(); ++j)
-                add_block({us[i], us[i + 1], vs[j], vs[j + 1]});
+        const Net net = net_of(base.poles);
+        const Net u = derivative_u(net, m_blocks.u());
+        const Net v = derivative_v(net, m_blocks.v());
+        const Net uu = derivative_u(u, m_blocks.u());
+        const Net uv = derivative_v(u, m_blocks.v());
+        const Net vv = derivative_v(v, m_blocks.v());
+        m_cones_u = cones(m_blocks, u);
+        m_cones_v = cones(m_blocks, v);
+        m_second = {{}, {}, m_blocks.longest(uu, 0.0), m_blocks.longest(uv, 0.0), m_blocks.longest(vv, 0.0)};
+        note_curvature(uu, uv, vv);
     }
 
-    [[nodiscard]] const ModelError &error() const { return m_error; }
+    //! The model's error; infinite where a block may hold a place without a normal.
+    [[nodiscard]] ModelError error(const ReducedSpline &model) const
+    {
+        const Lengths change = changes(model);
+        ModelError error;
+        error.point = model.largest;
+        for (Eigen::Index k = 0; k < change.u.size() && std::isfinite(error.normal); ++k)
+            add_block(k, change, error);
+        return error;
+    }
+
     //! The largest curvature at the blocks' centres [1/mm].
     [[nodiscard]] double typical_curvature() const { return m_curvature; }
 
 private:
-    void add_block(const ParameterBox &box)
+    template <typename Points> [[nodiscard]] Net net_of(const Points &points) const
     {
-        const Cone u = cone_over(m_derivatives.u, box);
-        const Cone v = cone_over(m_derivatives.v, box);
+        const Eigen::Index nu = m_blocks.u().poles();
+        const Eigen::Index nv = m_blocks.v().poles();
+        Net net{{Grid(nu, nv), Grid(nu, nv), Grid(nu, nv)}, Eigen::ArrayXd::Ones(nu), Eigen::ArrayXd::Ones(nv), 0, 0};
+        for (Eigen::Index k = 0; k < nu * nv; ++k)
+            for (std::size_t e = 0; e < 3; ++e)
+                net.xyz[e].data()[k] = points[static_cast<std::size_t>(k)][static_cast<Eigen::Index>(e)];
+        return net;
+    }
+
+    [[nodiscard]] Lengths changes(const ReducedSpline &model) const
+    {
+        const Net net = net_of(model.change);
+        const Net u = derivative_u(net, m_blocks.u());
+        const Net v = derivative_v(net, m_blocks.v());
+        const auto longest = [&](const Net &derivative) { return m_blocks.longest(derivative, model.rounding); };
+        return {longest(u), longest(v), longest(derivative_u(u, m_blocks.u())), longest(derivative_v(u, m_blocks.v())),
+                longest(derivative_v(v, m_blocks.v()))};
+    }
+
+    void add_block(Eigen::Index k, const Lengths &change, ModelError &error) const
+    {
+        const auto of = [k](const Grid &grid) { return grid.data()[k]; };
+        const Cone &u = m_cones_u[static_cast<std::size_t>(k)];
+        const Cone &v = m_cones_v[static_cast<std::size_t>(k)];
         const double sine = least_sine(u, v);
-        const double du = change(m_change.u, box) / u.shortest;
-        const double dv = change(m_change.v, box) / v.shortest;
+        const double du = of(change.u) / u.shortest;
+        const double dv = of(change.v) / v.shortest;
         const double turn = (du + dv + du * dv) / sine;
         const double stretch = (du + dv) / sine;
         if (!(sine > 0.0 && u.shortest > 0.0 && v.shortest > 0.0) || !(turn <= small_angle))
         {
-            m_error.normal = m_error.curvature = std::numeric_limits<double>::infinity();
+            error.normal = error.curvature = std::numeric_limits<double>::infinity();
             return;
         }
         const double normal = small_angle_factor * turn;
-        m_error.normal = std::max(m_error.normal, normal);
-        const double uu = longest_over(m_derivatives.uu, 0.0, box);
-        const double uv = longest_over(m_derivatives.uv, 0.0, box);
-        const double vv = longest_over(m_derivatives.vv, 0.0, box);
+        error.normal = std::max(error.normal, normal);
         const auto over_directions = [&](double xx, double xy, double yy) {
             return (xx / (u.shortest * u.shortest) + 2.0 * xy / (u.shortest * v.shortest) +
                     yy / (v.shortest * v.shortest)) /
                    (sine * sine);
         };
+        const double uu = of(m_second.uu);
+        const double uv = of(m_second.uv);
+        const double vv = of(m_second.vv);
         const double form =
-            over_directions(change(m_change.uu, box) + uu * normal, change(m_change.uv, box) + uv * normal,
-                            change(m_change.vv, box) + vv * normal);
+            over_directions(of(change.uu) + uu * normal, of(change.uv) + uv * normal, of(change.vv) + vv * normal);
         const double curvature =
             (form + 2.0 * stretch * over_directions(uu, uv, vv)) / ((1.0 - stretch) * (1.0 - stretch));
-        m_error.curvature = std::max(m_error.curvature, small_angle_factor * curvature);
-        note_curvature(u, v, box);
+        error.curvature = std::max(error.curvature, small_angle_factor * curvature);
     }
 
-    [[nodiscard]] double change(const Net &net, const ParameterBox &box) const
+    void note_curvature(const Net &uu, const Net &uv, const Net &vv)
     {
-        return longest_over(net, m_rounding, box);
+        const std::array<std::array<Grid, 3>, 3> second{m_blocks.means(uu), m_blocks.means(uv), m_blocks.means(vv)};
+        for (std::size_t k = 0; k < m_cones_u.size(); ++k)
+        {
+            const auto mean = [&](std::size_t which) -> Eigen::Vector3d {
+                return {second[which][0].data()[k], second[which][1].data()[k], second[which][2].data()[k]};
+            };
+            const SurfaceJet jet{
+                Eigen::Vector3d::Zero(), m_cones_u[k].axis, m_cones_v[k].axis, mean(0), mean(1), mean(2)};
+            if (const auto curvatures = principal_curvatures(jet))
+                m_curvature = std::max({m_curvature, std::abs(curvatures->first), std::abs(curvatures->second)});
+        }
     }
 
-    void note_curvature(const Cone &u, const Cone &v, const ParameterBox &box)
-    {
-        const SurfaceJet jet{Eigen::Vector3d::Zero(),
-                             u.axis,
-                             v.axis,
-                             mean_over(m_derivatives.uu, box),
-                             mean_over(m_derivatives.uv, box),
-                             mean_over(m_derivatives.vv, box)};
-        if (const auto k = principal_curvatures(jet))
-            m_curvature = std::max({m_curvature, std::abs(k->first), std::abs(k->second)});
-    }
-
-    const Derivatives &m_derivatives;
-    Derivatives m_change;
-    double m_rounding;
-    ModelError m_error;
+    Blocks m_blocks;
+    std::vector<Cone> m_cones_u;
+    std::vector<Cone> m_cones_v;
+    Lengths m_second;
     double m_curvature = 0.0;
 };
-
-std::vector<Eigen::Vector3d> points_of(const TensorSpline &spline)
-{
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(spline.poles.size());
-    for (const Eigen::Vector4d &pole : spline.poles)
-        points.emplace_back(pole.head<3>());
-    return points;
-}
 
 double extent(const TensorSpline &spline)
 {
@@ -303,25 +376,23 @@ class ModelSearch
 {
 public:
     ModelSearch(const TensorSpline &base, double distance)
-        : m_base(base), m_distance(std::abs(distance)), m_derivatives(net_of(base.u, base.v, points_of(base))),
-          m_flat(flat_curvature / extent(base))
+        : m_reduction(base), m_distance(std::abs(distance)), m_bounds(base), m_flat(flat_curvature / extent(base))
     {
     }
 
     //! \param allowance [mm] that the model's point and normal errors may add to the offset's.
-    [[nodiscard]] std::optional<LightModel> within(double allowance) const
+    [[nodiscard]] std::optional<LightModel> within(double allowance)
     {
         double goal = first_part * allowance;
         for (int round = 0; round < most_rounds; ++round)
         {
-            std::optional<ReducedSpline> model = reduced(m_base, goal);
+            std::optional<ReducedSpline> model = m_reduction.within(goal);
             if (!model)
                 return std::nullopt;
-            const ErrorBound bound(m_base, m_derivatives, *model);
-            const ModelError &error = bound.error();
+            const ModelError error = m_bounds.error(*model);
             const double room =
                 std::min(allowance / error.of_offset(m_distance),
-                         curvature_share * std::max(m_flat, bound.typical_curvature()) / error.curvature);
+                         curvature_share * std::max(m_flat, m_bounds.typical_curvature()) / error.curvature);
             if (room >= 1.0)
                 return LightModel{std::move(model->spline), error};
             if (!std::isfinite(error.normal))
@@ -332,9 +403,9 @@ public:
     }
 
 private:
-    const TensorSpline &m_base;
+    DataReduction m_reduction;
     double m_distance;
-    Derivatives m_derivatives;
+    BaseBounds m_bounds;
     double m_flat;
 };
 
@@ -345,7 +416,7 @@ std::optional<LightModel> light_model(const TensorSpline &base, double distance,
     const std::size_t spans = (base.u.breaks().size() - 1) * (base.v.breaks().size() - 1);
     if (base.rational || spans < least_spans || base.u.degree < 2 || base.v.degree < 2)
         return std::nullopt;
-    const ModelSearch search(base, distance);
+    ModelSearch search(base, distance);
     for (const double share : tolerance_shares)
         if (std::optional<LightModel> model = search.within(share * tolerance))
             return model;

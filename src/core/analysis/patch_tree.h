@@ -6,6 +6,7 @@
 
 #include "../input/input_face.h"
 #include "../spline/spline_pieces.h"
+#include "../spline/tensor_spline.h"
 
 #include <Eigen/Geometry>
 
@@ -39,8 +40,7 @@ struct PatchNode
     int halvings = -1; //!< of the piece; -1 for several pieces
     int lower = -1;    //!< children, -1 where there are none yet
     int upper = -1;
-    RationalPiece piece;                 //!< empty for several pieces
-    std::vector<Eigen::Vector3d> points; //!< control points of the piece
+    std::size_t first = 0; //!< of the piece's control points in the tree's store
 
     [[nodiscard]] bool is_piece() const { return halvings >= 0; }
 };
@@ -54,23 +54,52 @@ public:
     [[nodiscard]] static constexpr int root() { return 0; }
     [[nodiscard]] const PatchNode &node(int index) const { return m_nodes[static_cast<std::size_t>(index)]; }
 
-    //! Makes sure that a node has children.
+    [[nodiscard]] int degree_u() const { return m_degree_u; }
+    [[nodiscard]] int degree_v() const { return m_degree_v; }
+    //! Control point (i, j) of a piece as a point relative to the tree's origin.
+    [[nodiscard]] Eigen::Vector3d point(const PatchNode &piece, int i, int j) const
+    {
+        const Eigen::Vector4d &control = homogeneous(piece, i, j);
+        return control.head<3>() / control.w();
+    }
+
+    //! Makes sure that a node has children: halves of its longer side.
     void split(int index);
 
-    //! Enclosure over all nodes that share inner points with the rectangle; larger leaves are halved before.
+    //! The same, but halves a piece along the parameter in which its derivatives vary more.
+    void split_where_it_bends(int index);
+
+    //! Enclosure over all nodes that share inner points with the rectangle; leaves that are longer than it in one
+    //! parameter are halved along that before.
     [[nodiscard]] PatchBounds bounds_over(const ParameterBox &box);
 
 private:
+    [[nodiscard]] const Eigen::Vector4d &homogeneous(const PatchNode &piece, int i, int j) const
+    {
+        return m_controls[piece.first + static_cast<std::size_t>(i * (m_degree_v + 1) + j)];
+    }
     int build(SplinePieces &pieces, const Eigen::Vector3d &origin, const std::array<std::size_t, 4> &range);
-    int add_piece(const ParameterBox &box, int halvings, RationalPiece piece);
+    void halve(int index, bool along_u);
+    [[nodiscard]] bool bends_along_u(const PatchNode &piece) const;
+    int add_piece(const ParameterBox &box, int halvings, std::size_t first);
     void gather(int index, const ParameterBox &box, PatchBounds &bounds);
 
     std::vector<double> m_us;
     std::vector<double> m_vs;
+    int m_degree_u;
+    int m_degree_v;
+    bool m_rational;
     std::deque<PatchNode> m_nodes;
+    std::vector<Eigen::Vector4d> m_controls; //!< homogeneous
 };
 
-//! Enclosure over a whole spline from its poles alone: nothing has to be cut.
-PatchBounds whole_bounds(const TensorSpline &spline);
+//! Is the whole surface one-to-one, as its poles alone show? False: that is not known.
+bool one_to_one_whole(const TensorSpline &spline);
+
+//! Enclosure over a whole spline.
+//! \param parts a rational one is cut into at least so many pieces in each direction.
+//! \param axes orthonormal rows, along which the boxes lie.
+PatchBounds whole_bounds(const TensorSpline &spline, std::size_t parts = 8,
+                         const Eigen::Matrix3d &axes = Eigen::Matrix3d::Identity());
 
 } // namespace laminate_offset

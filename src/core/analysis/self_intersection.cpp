@@ -236,7 +236,7 @@ private:
             m_result.settled = false;
             return;
         }
-        m_tree.split(index);
+        m_tree.split_where_it_bends(index);
         const auto [lower, upper] = std::pair{m_tree.node(index).lower, m_tree.node(index).upper};
         within(lower);
         within(upper);
@@ -306,14 +306,16 @@ private:
     //! The side of the whole surface that a piece has collapsed to a point, as a bit.
     [[nodiscard]] unsigned collapsed_sides(const PatchNode &node) const
     {
-        if (!node.is_piece())
+        const Eigen::Vector3d nothing = Eigen::Vector3d::Zero();
+        // cheap: nowhere does a derivative nearly vanish
+        if (!node.is_piece() ||
+            (node.bounds.du.exteriorDistance(nothing) * (node.box.umax - node.box.umin) > m_resolution &&
+             node.bounds.dv.exteriorDistance(nothing) * (node.box.vmax - node.box.vmin) > m_resolution))
             return 0;
-        const int nu = node.piece.numerator[0].degree_u();
-        const int nv = node.piece.numerator[0].degree_v();
+        const int nu = m_tree.degree_u();
+        const int nv = m_tree.degree_v();
         const double tiny = 1e-2 * m_resolution;
-        const auto point = [&node, nv](int i, int j) {
-            return node.points[static_cast<std::size_t>(i * (nv + 1) + j)];
-        };
+        const auto point = [&](int i, int j) { return m_tree.point(node, i, j); };
         std::array<bool, 4> collapsed{true, true, true, true};
         for (int j = 0; j <= nv; ++j)
         {
@@ -363,25 +365,31 @@ private:
         return true;
     }
 
+    //! The range of a piece's control points along an axis.
+    [[nodiscard]] std::pair<double, double> extent_along(const Eigen::Vector3d &axis, const PatchNode &piece) const
+    {
+        double low = infinity;
+        double high = -infinity;
+        for (int i = 0; i <= m_tree.degree_u(); ++i)
+            for (int j = 0; j <= m_tree.degree_v(); ++j)
+            {
+                const double along = axis.dot(m_tree.point(piece, i, j));
+                low = std::min(low, along);
+                high = std::max(high, along);
+            }
+        return {low, high};
+    }
+
     //! Do the control points lie apart along the normal of one of the pieces?
-    [[nodiscard]] static bool apart_along_normals(const PatchNode &a, const PatchNode &b)
+    [[nodiscard]] bool apart_along_normals(const PatchNode &a, const PatchNode &b) const
     {
         if (!a.is_piece() || !b.is_piece())
             return false;
         for (const PatchNode *node : {&a, &b})
         {
             const Eigen::Vector3d axis = node->bounds.du.center().cross(node->bounds.dv.center()).normalized();
-            double low_a = infinity, high_a = -infinity, low_b = infinity, high_b = -infinity;
-            for (const Eigen::Vector3d &point : a.points)
-            {
-                low_a = std::min(low_a, axis.dot(point));
-                high_a = std::max(high_a, axis.dot(point));
-            }
-            for (const Eigen::Vector3d &point : b.points)
-            {
-                low_b = std::min(low_b, axis.dot(point));
-                high_b = std::max(high_b, axis.dot(point));
-            }
+            const auto [low_a, high_a] = extent_along(axis, a);
+            const auto [low_b, high_b] = extent_along(axis, b);
             if (low_a > high_b || low_b > high_a)
                 return true;
         }
@@ -422,7 +430,7 @@ SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query
 {
     if (std::abs(query.distance) <= 2.0 * query.tolerance)
         return {};
-    if (whole_bounds(query.offset).one_to_one())
+    if (one_to_one_whole(query.offset))
         return {};
     return PairSearch(query).run();
 }

@@ -9,7 +9,8 @@
 //! - when the surface is one-to-one over the rectangle that holds both (PatchBounds::one_to_one): this settles
 //!   neighbours, also across the seam of a closed surface, where parameters go on beyond their period;
 //! - when both lie at the same collapsed side (a pole) and their normals differ by less than 60 degrees.
-//! Else the rectangles are halved. Nearly every face is settled whole, from the poles alone.
+//! Else the rectangles are halved: one with itself across the direction in which its derivatives vary more, the
+//! larger of a pair across its longer side. Nearly every face is settled whole, from the poles alone.
 //!
 //! A meeting is only reported when it has been computed: two places inside the loops whose offset points
 //! coincide to rounding, while their base points lie apart by a good part of the distance. Seams, poles and

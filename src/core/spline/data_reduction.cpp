@@ -19,6 +19,8 @@ constexpr int most_rounds = 3;
 constexpr double change_operations = 400.0;
 // Part of the spans that has to go, else the reduction is not worth its error.
 constexpr double worthwhile = 0.6;
+// So many curves of the net choose the knots at first. What the choice does to all is found out afterwards.
+constexpr Eigen::Index enough_curves = 24;
 
 //! The poles as points relative to the first one: one row for each u pole, the points of all v poles in it.
 RowMatrix pole_rows(const TensorSpline &spline, const Eigen::Vector3d &origin)
@@ -57,75 +59,93 @@ bool worth_it(const TensorSpline &spline, const KnotVector &u, const KnotVector 
     return spans(u, v) <= worthwhile * spans(spline.u, spline.v);
 }
 
-class Reduction
+//! Some of the columns of points, the first and the last among them.
+RowMatrix some_curves(const RowMatrix &points, Eigen::Index count)
 {
-public:
-    explicit Reduction(const TensorSpline &spline)
-        : m_spline(spline), m_origin(spline.poles.front().head<3>()), m_by_u(pole_rows(spline, m_origin)),
-          m_by_v(transposed_points(m_by_u))
-    {
-    }
-
-    std::optional<ReducedSpline> run(double tolerance)
-    {
-        double share = first_direction_share;
-        for (int round = 0; round < most_rounds; ++round)
-        {
-            const auto u = fewer_knots(m_spline.u, m_by_u, share * tolerance);
-            const auto v = fewer_knots(m_spline.v, m_by_v, share * tolerance);
-            if (!u || !v || !worth_it(m_spline, *u, *v))
-                return std::nullopt;
-            std::optional<ReducedSpline> result = over(*u, *v);
-            if (!result || result->largest <= tolerance)
-                return result;
-            share *= std::clamp(0.8 * tolerance / result->largest, 0.1, 0.8);
-        }
-        return std::nullopt;
-    }
-
-private:
-    std::optional<ReducedSpline> over(const KnotVector &u, const KnotVector &v)
-    {
-        const auto fit_u = LeastSquaresFit::make_reduction(u, m_spline.u);
-        const auto fit_v = LeastSquaresFit::make_reduction(v, m_spline.v);
-        if (!fit_u || !fit_v)
-            return std::nullopt;
-        const RowMatrix net = fit_v->solve(transposed_points(fit_u->solve(m_by_u)));
-        const RowMatrix inserted = -fit_v->residual(net, RowMatrix::Zero(m_by_v.rows(), net.cols()));
-        const RowMatrix change = fit_u->residual(transposed_points(inserted), m_by_u);
-        ReducedSpline result;
-        result.spline.u = u;
-        result.spline.v = v;
-        const RowMatrix poles = transposed_points(net);
-        for (Eigen::Index i = 0; i < poles.rows(); ++i)
-            for (Eigen::Index j = 0; j + 2 < poles.cols(); j += 3)
-                result.spline.poles.emplace_back(
-                    (Eigen::Vector4d() << poles.row(i).segment<3>(j).transpose() + m_origin, 1.0).finished());
-        result.rounding = change_operations * std::numeric_limits<double>::epsilon() *
-                          (m_by_u.cwiseAbs().maxCoeff() + m_origin.cwiseAbs().maxCoeff());
-        for (Eigen::Index i = 0; i < change.rows(); ++i)
-            for (Eigen::Index j = 0; j + 2 < change.cols(); j += 3)
-            {
-                result.change.emplace_back(change.row(i).segment<3>(j).transpose());
-                result.largest = std::max(result.largest, result.change.back().norm());
-            }
-        result.largest += std::sqrt(3.0) * result.rounding;
-        return result;
-    }
-
-    const TensorSpline &m_spline;
-    Eigen::Vector3d m_origin;
-    RowMatrix m_by_u;
-    RowMatrix m_by_v;
-};
+    const Eigen::Index all = points.cols() / 3;
+    RowMatrix result(points.rows(), 3 * count);
+    for (Eigen::Index k = 0; k < count; ++k)
+        result.middleCols<3>(3 * k) = points.middleCols<3>(3 * (k * (all - 1) / (count - 1)));
+    return result;
+}
 
 } // namespace
 
-std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance)
+DataReduction::DataReduction(const TensorSpline &spline) : m_spline(spline)
 {
     if (spline.rational)
+        return;
+    m_origin = spline.poles.front().head<3>();
+    m_by_u = pole_rows(spline, m_origin);
+    m_by_v = transposed_points(m_by_u);
+    m_rounding = change_operations * std::numeric_limits<double>::epsilon() *
+                 (m_by_u.cwiseAbs().maxCoeff() + m_origin.cwiseAbs().maxCoeff());
+}
+
+std::optional<ReducedSpline> DataReduction::within(double tolerance) const
+{
+    if (m_spline.rational)
         return std::nullopt;
-    return Reduction(spline).run(tolerance);
+    double share = first_direction_share;
+    for (int round = 0; round < most_rounds; ++round)
+    {
+        const bool all = m_by_u.rows() <= enough_curves && m_by_v.rows() <= enough_curves;
+        std::optional<ReducedSpline> result = attempt(share * tolerance, all);
+        if (!all && !(result && result->largest <= tolerance))
+            result = attempt(share * tolerance, true);
+        if (!result || result->largest <= tolerance)
+            return result;
+        share *= std::clamp(0.8 * tolerance / result->largest, 0.1, 0.8);
+    }
+    return std::nullopt;
+}
+
+std::optional<ReducedSpline> DataReduction::attempt(double tolerance, bool all_curves) const
+{
+    const auto knots = [&](const KnotVector &fine, const RowMatrix &points) {
+        const bool all = all_curves || points.cols() <= 3 * enough_curves;
+        return fewer_knots(fine, all ? points : some_curves(points, enough_curves), tolerance);
+    };
+    const auto u = knots(m_spline.u, m_by_u);
+    const auto v = u ? knots(m_spline.v, m_by_v) : std::nullopt;
+    if (!u || !v || !worth_it(m_spline, *u, *v))
+        return std::nullopt;
+    return over(*u, *v);
+}
+
+std::optional<ReducedSpline> DataReduction::over(const KnotVector &u, const KnotVector &v) const
+{
+    const auto fit_u = LeastSquaresFit::make_reduction(u, m_spline.u);
+    const auto fit_v = LeastSquaresFit::make_reduction(v, m_spline.v);
+    if (!fit_u || !fit_v)
+        return std::nullopt;
+    const RowMatrix net = fit_v->solve(transposed_points(fit_u->solve(m_by_u)));
+    const RowMatrix inserted = -fit_v->residual(net, RowMatrix::Zero(m_by_v.rows(), net.cols()));
+    const RowMatrix change = fit_u->residual(transposed_points(inserted), m_by_u);
+    ReducedSpline result;
+    result.spline.u = u;
+    result.spline.v = v;
+    const RowMatrix poles = transposed_points(net);
+    for (Eigen::Index i = 0; i < poles.rows(); ++i)
+        for (Eigen::Index j = 0; j + 2 < poles.cols(); j += 3)
+            result.spline.poles.emplace_back(
+                (Eigen::Vector4d() << poles.row(i).segment<3>(j).transpose() + m_origin, 1.0).finished());
+    result.rounding = m_rounding;
+    result.change.reserve(m_spline.poles.size());
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < change.rows(); ++i)
+        for (Eigen::Index j = 0; j + 2 < change.cols(); j += 3)
+        {
+            result.change.emplace_back(change.row(i).segment<3>(j).transpose());
+            square = std::max(square, result.change.back().squaredNorm());
+        }
+    result.largest = std::sqrt(square) + std::sqrt(3.0) * m_rounding;
+    return result;
+}
+
+std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance)
+{
+    return DataReduction(spline).within(tolerance);
 }
 
 } // namespace laminate_offset

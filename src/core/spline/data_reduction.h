@@ -4,6 +4,7 @@
 //! allows (data reduction by knot removal, Lyche & Morken 1987).
 #pragma once
 
+#include "least_squares.h"
 #include "tensor_spline.h"
 
 #include <Eigen/Core>
@@ -23,6 +24,30 @@ struct ReducedSpline
     double largest = 0.0;  //!< length of the longest change, its rounding included: nowhere do the two differ by more
 };
 
+//! Reduces one spline to several tolerances. The knots are chosen on some of the curves of its net; where the change
+//! of all its poles then shows that these do not speak for the others, on all.
+class DataReduction
+{
+public:
+    //! \param spline has to outlive this.
+    explicit DataReduction(const TensorSpline &spline);
+
+    //! \param tolerance [mm] that no change of a pole may exceed.
+    //! \return nothing for a rational surface, or where fewer knots do not suffice.
+    [[nodiscard]] std::optional<ReducedSpline> within(double tolerance) const;
+
+private:
+    [[nodiscard]] std::optional<ReducedSpline> attempt(double tolerance, bool all_curves) const;
+    [[nodiscard]] std::optional<ReducedSpline> over(const KnotVector &u, const KnotVector &v) const;
+
+    const TensorSpline &m_spline;
+    Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();
+    RowMatrix m_by_u; //!< poles relative to the origin: one row for each u pole, the points of all v poles in it
+    RowMatrix m_by_v;
+    double m_rounding = 0.0;
+};
+
+//! The same for one tolerance.
 //! \param tolerance [mm] that no change of a pole may exceed.
 //! \return nothing for a rational surface, or where fewer knots do not suffice.
 std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance);

@@ -27,7 +27,8 @@ Eigen::Vector3d SplinePieces::near_point(std::size_t i, std::size_t j) const
     return pole.head<3>() / pole.w();
 }
 
-void SplinePieces::cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece)
+void SplinePieces::append_controls(std::size_t i, std::size_t j, const Eigen::Vector3d &origin,
+                                   std::vector<Eigen::Vector4d> &controls)
 {
     const int p = m_spline->u.degree;
     const int q = m_spline->v.degree;
@@ -42,20 +43,34 @@ void SplinePieces::cut(std::size_t i, std::size_t j, const Eigen::Vector3d &orig
             for (int r = 0; r <= p; ++r)
                 m_rows[static_cast<std::size_t>(r * (q + 1) + l)] += matrix_u[r * (p + 1) + k] * pole;
         }
-    for (Bernstein &component : piece.numerator)
-        component.reset(p, q);
-    piece.omega.reset(m_spline->rational ? p : 0, m_spline->rational ? q : 0);
-    piece.omega.set_coefficient(0, 0, 1.0);
     for (int r = 0; r <= p; ++r)
         for (int s = 0; s <= q; ++s)
         {
             Eigen::Vector4d sum = Eigen::Vector4d::Zero();
             for (int l = 0; l <= q; ++l)
                 sum += matrix_v[s * (q + 1) + l] * m_rows[static_cast<std::size_t>(r * (q + 1) + l)];
+            controls.push_back(sum);
+        }
+}
+
+void SplinePieces::cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece)
+{
+    const int p = m_spline->u.degree;
+    const int q = m_spline->v.degree;
+    m_controls.clear();
+    append_controls(i, j, origin, m_controls);
+    for (Bernstein &component : piece.numerator)
+        component.reset(p, q);
+    piece.omega.reset(m_spline->rational ? p : 0, m_spline->rational ? q : 0);
+    piece.omega.set_coefficient(0, 0, 1.0);
+    const Eigen::Vector4d *control = m_controls.data();
+    for (int r = 0; r <= p; ++r)
+        for (int s = 0; s <= q; ++s, ++control)
+        {
             for (int e = 0; e < 3; ++e)
-                piece.numerator[static_cast<std::size_t>(e)].set_coefficient(r, s, sum[e]);
+                piece.numerator[static_cast<std::size_t>(e)].set_coefficient(r, s, (*control)[e]);
             if (m_spline->rational)
-                piece.omega.set_coefficient(r, s, sum.w());
+                piece.omega.set_coefficient(r, s, control->w());
         }
 }
 

@@ -34,11 +34,16 @@ public:
     //! The piece on [us[i], us[i+1]] x [vs[j], vs[j+1]] relative to `origin`.
     void cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece);
 
+    //! The homogeneous control points of the same piece, appended to others, all v to one u together.
+    void append_controls(std::size_t i, std::size_t j, const Eigen::Vector3d &origin,
+                         std::vector<Eigen::Vector4d> &controls);
+
 private:
     const TensorSpline *m_spline;
     std::vector<SpanExtraction> m_u;
     std::vector<SpanExtraction> m_v;
     std::vector<Eigen::Vector4d> m_rows;
+    std::vector<Eigen::Vector4d> m_controls;
 };
 
 } // namespace laminate_offset
