@@ -2,6 +2,7 @@
 //! \file
 //! The extension module laminate_offset._core. It holds no policy: the package around it converts
 //! units, chooses the way of shape exchange and documents the interface.
+#include "extend_face_binding.h"
 #include "nearest_point_binding.h"
 #include "offset_face_binding.h"
 #include "offset_limits_binding.h"
@@ -45,6 +46,7 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_offset_options(module);
     laminate_offset::python::bind_offset_face(module);
     laminate_offset::python::bind_offset_limits(module);
+    laminate_offset::python::bind_extend_face(module);
     laminate_offset::python::bind_nearest_point(module);
     laminate_offset::python::bind_project_curve(module);
     laminate_offset::python::bind_offset_stack(module);

@@ -43,18 +43,28 @@ py::object to_python(const std::optional<FeasibleRange> &range)
     return py::make_tuple(to_python(range->negative), to_python(range->positive));
 }
 
-} // namespace
-
-void raise(const Failure &failure, const OffsetOptions &options)
+[[noreturn]] void raise_with(const Failure &failure, const py::object &report)
 {
     if (is_bad_argument(failure.status))
         throw py::value_error(failure.message);
     const py::object error_type = py::module_::import("laminate_offset.errors").attr("OffsetError");
-    const py::object error = error_type(std::string(name(failure.status)), std::string(name(failure.stage)),
-                                        failure.message, to_python(failure.where), to_python(failure.feasible_range),
-                                        python::to_python(refusal_report(failure, options)));
+    const py::object error =
+        error_type(std::string(name(failure.status)), std::string(name(failure.stage)), failure.message,
+                   to_python(failure.where), to_python(failure.feasible_range), report);
     PyErr_SetObject(error_type.ptr(), error.ptr());
     throw py::error_already_set();
+}
+
+} // namespace
+
+void raise(const Failure &failure, const OffsetOptions &options)
+{
+    raise_with(failure, python::to_python(refusal_report(failure, options)));
+}
+
+void raise(const Failure &failure, const std::string &report)
+{
+    raise_with(failure, py::module_::import("json").attr("loads")(report));
 }
 
 } // namespace laminate_offset::python

@@ -6,11 +6,16 @@
 #include <laminate_offset/base/options.h>
 #include <laminate_offset/base/result.h>
 
+#include <string>
+
 namespace laminate_offset::python
 {
 
 //! Raises ValueError for an argument out of its range and OffsetError for every other refusal.
 //! Needs the GIL.
 [[noreturn]] void raise(const Failure &failure, const OffsetOptions &options);
+
+//! The same with a report of the caller's own, as JSON text.
+[[noreturn]] void raise(const Failure &failure, const std::string &report);
 
 } // namespace laminate_offset::python

@@ -3,11 +3,13 @@
 
 #include "analysis/creases.h"
 #include "analysis/surface_analysis.h"
+#include "extension/extend_surface.h"
 #include "input/input_face.h"
 #include "report/face_report.h"
 #include "surface/check_meetings.h"
 #include "surface/offset_surface.h"
 #include "topology/build_face.h"
+#include "topology/extended_face.h"
 #include "trimming/check_edges.h"
 #include "trimming/tear.h"
 #include "trimming/trim_loops.h"
@@ -84,6 +86,8 @@ private:
         Result<Made> whole = make(input.value(), m_options);
         if (!whole && whole.failure().status == Status::KinkedSurface)
             return run_parts(input.value());
+        if (whole && m_options.extension > 0.0)
+            whole = extended(input.value(), std::move(whole).value());
         leave();
         if (!whole)
             return whole.failure();
@@ -92,10 +96,43 @@ private:
         return OffsetResult{whole.value().face, std::move(report)};
     }
 
+    //! The offset face extended past its sides. A refusal names the place of the base.
+    Result<Made> extended(const InputFace &base, Made made)
+    {
+        enter(Stage::Extension);
+        const gp_Vec2d back = -made.surface.parameter_shift;
+        const auto on_base = [&](Failure failure) {
+            if (failure.where)
+                failure.where = base.place(failure.where->uv.Translated(back));
+            return failure;
+        };
+        const Result<InputFace> offset = read_face(made.face);
+        if (!offset)
+            return offset.failure();
+        ExtensionOptions options;
+        options.length = m_options.extension;
+        Result<ExtendedSurface> surface = extend_surface({offset.value(), offset.value().surface}, options);
+        if (!surface)
+            return on_base(surface.failure());
+        enter(Stage::Topology);
+        const Result<TopoDS_Face> face = build_extended_face(offset.value(), surface.value());
+        if (!face)
+            return on_base(face.failure());
+        made.face = face.value();
+        made.report.surface = summary_of(surface.value().geometry);
+        made.report.extension = Extension{m_options.extension, surface.value().sides};
+        return made;
+    }
+
     //! The parts between creases, each through all stages on its own.
     Result<OffsetResult> run_parts(const InputFace &input)
     {
         enter(Stage::Analysis);
+        if (m_options.extension > 0.0)
+            return Failure{Status::NotSupported, Stage::Extension,
+                           "The face has creases that tear its offset into parts, which cannot be extended together; "
+                           "offset without an extension, or extend the base face first.",
+                           input.place(input.loops.front().curves.front().pieces.front().start), std::nullopt};
         const Result<std::vector<InputFace>> parts =
             split_at_creases(input, input.from_surface(m_options.distance), m_options.tolerance);
         if (!parts)

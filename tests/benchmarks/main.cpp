@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// offset_benchmarks [--quick | --full | --corpus | --generated | --prototype | --memory | --nearest | --projection] [OUTPUT_FOLDER]
+// offset_benchmarks [--quick | --full | --corpus | --generated | --extension | --prototype | --memory | --nearest | --projection] [OUTPUT_FOLDER]
 #include "comparison.h"
 #include "corpus.h"
+#include "extension.h"
 #include "nearest.h"
 #include "projection.h"
 
@@ -19,12 +20,13 @@ constexpr const char *usage = R"(offset_benchmarks [MODE] [OUTPUT_FOLDER]
   --full       generated faces and all free-form real ones against OpenCASCADE, prototype cases, memory
   --generated  generated faces against OpenCASCADE
   --corpus     every real face at +-0.1 % and +-1 % of its diagonal, our offsets alone
+  --extension  every free-form real face extended by 5 % of its diagonal
   --prototype  pole counts beside those of the prototype's least squares
   --memory     peak memory at 128x128 poles
   --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face
   --projection every edge of every real face put back onto its face
   --nearest-quick  the same of every fifth face, 2,000 a face
-Tables go to the standard output, comparison.csv, worst.txt and corpus.csv into OUTPUT_FOLDER (default: here).
+Tables go to the standard output, comparison.csv, worst.txt, corpus.csv and extension.csv into OUTPUT_FOLDER (default: here).
 )";
 
 constexpr int quick_stride = 19;
@@ -53,6 +55,8 @@ int run(const std::string &mode, const std::filesystem::path &folder)
         run_projection(real_faces(false), false, std::cout);
     if (mode == "--nearest-quick")
         run_nearest(real_faces(true, 5), 2000, std::cout);
+    if (mode == "--extension")
+        run_extension(real_faces(true), folder / "extension.csv", std::cout);
     if (mode == "--generated")
         run_comparison(generated_faces(), plan, folder);
     if (mode == "--quick" || mode == "--full")
@@ -85,8 +89,8 @@ int main(int argc, char **argv)
             folder = argv[i];
     }
     const bool known = mode == "--quick" || mode == "--full" || mode == "--generated" || mode == "--corpus" ||
-                       mode == "--prototype" || mode == "--memory" || mode == "--nearest" || mode == "--projection" ||
-                       mode == "--nearest-quick";
+                       mode == "--extension" || mode == "--prototype" || mode == "--memory" || mode == "--nearest" ||
+                       mode == "--projection" || mode == "--nearest-quick";
     if (!known)
     {
         std::cerr << usage;

@@ -26,9 +26,11 @@ except ImportError as error:
 
 from .api import (
     CurveProjection,
+    ExtensionResult,
     NearestPoints,
     OffsetLimits,
     OffsetResult,
+    extend_face,
     nearest_point,
     offset_face,
     offset_limits,
@@ -47,7 +49,7 @@ from .layup import (
     read_layup,
     read_material,
 )
-from .report import OffsetReport
+from .report import ExtensionReport, OffsetReport
 from .stack import PlyStack, StackPly, stack_plies
 
 select_at_import()
@@ -55,6 +57,8 @@ select_at_import()
 __version__: str = _core.__version__
 __all__ = [
     "CurveProjection",
+    "ExtensionReport",
+    "ExtensionResult",
     "Layup",
     "LayupError",
     "Material",
@@ -67,6 +71,7 @@ __all__ = [
     "Ply",
     "PlyStack",
     "StackPly",
+    "extend_face",
     "layup_from_notation",
     "materials",
     "nearest_point",

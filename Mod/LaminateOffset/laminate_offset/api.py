@@ -4,7 +4,7 @@
 import copy
 import json
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 import FreeCAD
 import numpy
@@ -12,7 +12,7 @@ import Part
 
 from . import _core
 from .errors import describe_range
-from .report import OffsetReport
+from .report import ExtensionReport, OffsetReport
 
 Progress = Callable[[float], Optional[bool]]
 Length = Union[float, "FreeCAD.Units.Quantity"]
@@ -36,6 +36,19 @@ class OffsetResult:
     def face(self) -> "Union[Part.Face, Part.Shell]":
         """The same object as shape: a Part.Face, or a Part.Shell where the base is creased."""
         return self.shape
+
+
+@dataclass(frozen=True)
+class ExtensionResult:
+    """A finished extension.
+
+    Attributes:
+        face: the new Part.Face, with the loops and the orientation of the base.
+        report: the ExtensionReport; its status is "ok".
+    """
+
+    face: "Part.Face"
+    report: ExtensionReport
 
 
 class OffsetLimits:
@@ -218,7 +231,8 @@ def offset_face(
         distance: signed distance in mm, or a FreeCAD length; positive is outward, negative is inward.
         tolerance: largest deviation of the result from the exact offset in mm, or a FreeCAD length; above zero.
         method: "same-parameter" (keeps the base's parametrisation and trimming curves) or "ravi-kumar".
-        extension: length in mm, or a FreeCAD length, by which the result is extended past the edges; zero or more.
+        extension: length in mm, or a FreeCAD length, by which the result is extended past its four sides as by
+            extend_face; zero or more. The report's errors do not speak of what lies past the base's edges.
         max_degree: highest degree of the fitted surface, from 3 to 7; None leaves the choice to the engine.
         progress: called from time to time with a fraction from 0 to 1; returning False cancels. What it raises ends
             the computation and is raised again here.
@@ -242,6 +256,44 @@ def offset_face(
         progress,
     )
     return OffsetResult(shape, OffsetReport(report))
+
+
+def extend_face(
+    face: "Part.Face",
+    length: Length,
+    sides: Union[str, Sequence[str]] = "all",
+    continuity: str = "G1",
+    rule: str = "mean",
+) -> ExtensionResult:
+    """Extend a trimmed face past its sides.
+
+    The sides are those of the rectangle which holds the face in its surface's parameters. Edges along an extended side
+    move outwards with it; all other edges, holes among them, stay. The base face is only read.
+
+    Args:
+        face: a Part.Face.
+        length: arc length of the extension in mm, or a FreeCAD length; above zero.
+        sides: "all", or some of "u-min", "u-max", "v-min" and "v-max": a list, or one text with commas between.
+        continuity: "G1" (the mirror image of the part next to the side) or "natural" (the surface's last polynomial
+            piece goes on, with every derivative). Planes, cylinders, cones, spheres and tori go on as themselves.
+        rule: "mean" (eight iso-curves have the length on the average) or "at-least" (each of them has it).
+
+    Returns:
+        ExtensionResult with .face and .report.
+
+    Raises:
+        OffsetError: the face was refused, for one that is closed, or an extension that would fold or meet the face.
+        ValueError: an argument is out of its range or has the wrong unit.
+        TypeError: face is not a Part shape.
+    """
+    shape, report = _core.extend_face(face, millimetres(length, "length"), _side_names(sides), continuity, rule)
+    return ExtensionResult(shape, ExtensionReport(json.loads(report)))
+
+
+def _side_names(sides: Union[str, Sequence[str]]) -> List[str]:
+    names = sides.split(",") if isinstance(sides, str) else list(sides)
+    names = [name.strip() for name in names]
+    return ["u-min", "u-max", "v-min", "v-max"] if [name.lower() for name in names] == ["all"] else names
 
 
 def millimetres(length: Any, name: str) -> float:

@@ -13,7 +13,7 @@ from typing import Any, Dict, List, Optional, TextIO, Tuple
 import Part
 
 from . import __version__, _core
-from .api import OffsetResult, Progress, offset_face, offset_limits
+from .api import OffsetResult, Progress, extend_face, offset_face, offset_limits
 from .errors import OffsetError
 from .files import check_writable, format_of, read_faces, write_json, write_shape
 from .lines import take_over
@@ -59,6 +59,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_offset_command(commands)
     _add_limits_command(commands)
     _add_plies_command(commands)
+    _add_extend_command(commands)
     return parser
 
 
@@ -160,6 +161,41 @@ def _one_face_number(text: str) -> int:
     return number
 
 
+def _add_extend_command(commands: Any) -> None:
+    parser = commands.add_parser(
+        "extend",
+        help="extend one face of a file, or every face by itself, past its sides",
+        description="Extends one face of a STEP, IGES, BREP or FCStd file, or every face by itself, past its sides.",
+        epilog="With --face all the output is one compound of the faces that succeeded, in their order, and the "
+        "report is a list with every face.",
+    )
+    parser.set_defaults(command=_extend)
+    add = parser.add_argument
+    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
+    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    add("--length", required=True, type=float, metavar="L", help="arc length of the extension in mm; above zero")
+    add("--sides", default="all", metavar="S", help="all, or some of u-min,u-max,v-min,v-max (default: %(default)s)")
+    add(
+        "--continuity",
+        choices=("G1", "natural"),
+        default="G1",
+        help="mirror image at the side, or the surface's last piece going on (default: %(default)s)",
+    )
+    add(
+        "--rule",
+        choices=("mean", "at-least"),
+        default="mean",
+        help="what has the length: the mean of eight iso-curves or each of them (default: %(default)s)",
+    )
+    add(
+        "-o",
+        "--output",
+        metavar="OUT",
+        help=".step, .iges, .brep or .FCStd file (default: the input's name with _extended.step, in this folder)",
+    )
+    add("--report", metavar="R.json", help="write the report as JSON")
+
+
 def _face_number(text: str) -> Optional[int]:
     """A face number, or None for all."""
     if text == "all":
@@ -185,7 +221,7 @@ def _glue_negative_numbers(argv: List[str]) -> List[str]:
 
 
 def _offset(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
-    output = arguments.output or _default_output(arguments.input)
+    output = arguments.output or _default_output(arguments.input, "offset")
     _check_outputs(arguments.input, output, arguments.report)
     chosen = _choose(read_faces(arguments.input), arguments.face, arguments.input)
     faces, reports = _offset_each(chosen, arguments, out, err)
@@ -196,6 +232,36 @@ def _offset(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     if arguments.report:
         write_json(reports[0] if arguments.face is not None else reports, arguments.report)
     return DONE if len(faces) == len(chosen) else REFUSED
+
+
+def _extend(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
+    output = arguments.output or _default_output(arguments.input, "extended")
+    _check_outputs(arguments.input, output, arguments.report)
+    chosen = _choose(read_faces(arguments.input), arguments.face, arguments.input)
+    faces: List["Part.Face"] = []
+    reports: List[Dict[str, Any]] = []
+    for number, face in chosen:
+        try:
+            result = extend_face(face, arguments.length, arguments.sides, arguments.continuity, arguments.rule)
+        except (OffsetError, RuntimeError, MemoryError) as error:
+            refusal = error if isinstance(error, OffsetError) else _kernel_error(error)
+            print(f"laminate-offset: face {number} refused at {refusal.stage}: {refusal}", file=err)
+            reports.append({"face": number, **refusal.report.to_dict()})
+        else:
+            faces.append(result.face)
+            print(f"face {number}: {result.report.summary()}", file=out)
+            reports.append({"face": number, **result.report.to_dict()})
+    if faces:
+        shape = faces[0] if arguments.face is not None else Part.makeCompound(faces)
+        write_shape(shape, output, f"Extension {arguments.length:g} mm")
+        print(f"laminate-offset: wrote {output}", file=err)
+    if arguments.report:
+        write_json(reports[0] if arguments.face is not None else reports, arguments.report)
+    return DONE if len(faces) == len(chosen) else REFUSED
+
+
+def _kernel_error(error: BaseException) -> OffsetError:
+    return OffsetError("kernel-error", "input", f"The face could not be processed: {error}")
 
 
 def _limits(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
@@ -260,8 +326,8 @@ def _check_report(source: str, report: str) -> None:
     check_writable(report)
 
 
-def _default_output(source: str) -> str:
-    return os.path.splitext(os.path.basename(source))[0] + "_offset.step"
+def _default_output(source: str, what: str) -> str:
+    return os.path.splitext(os.path.basename(source))[0] + f"_{what}.step"
 
 
 def _check_outputs(source: str, output: str, report: Optional[str]) -> None:
@@ -327,7 +393,7 @@ def _offset_one(face: "Part.Face", arguments: argparse.Namespace, progress: Prog
     except OffsetError:
         raise
     except (RuntimeError, MemoryError) as error:
-        raise OffsetError("kernel-error", "input", f"The face could not be processed: {error}") from error
+        raise _kernel_error(error) from error
 
 
 class _Bar:

@@ -40,11 +40,33 @@ class Fields(Mapping[str, Any]):
         return copy.deepcopy(self._values)
 
 
+class ExtensionReport(Fields):
+    """How one face was extended past its sides, with measured figures.
+
+    Every field of the JSON format is an attribute: status, stage, message, where, length, continuity, rule, sides,
+    surface, elapsed_ms. sides is a list of {"side", "parameter", "mean_length", "shortest", "longest", "join_angle",
+    "moved_edges"} in the order in which they were extended: where the surface ends now, the arc lengths of eight
+    iso-curves of the extension in mm, the largest angle in radians seen between their tangents on both sides of the
+    join, and how many edges moved outwards.
+    """
+
+    def to_json(self) -> str:
+        """The report as indented JSON text."""
+        return json.dumps(self._values, indent=2, ensure_ascii=False)
+
+    def summary(self) -> str:
+        """One line for a person: the sides with their lengths."""
+        sides = ", ".join(
+            "{side} {mean_length:.6g} mm ({shortest:.6g} to {longest:.6g})".format(**side) for side in self.sides
+        )
+        return f"extended by {self.length:.6g} mm: {sides}"
+
+
 class OffsetReport(Fields):
     """What was done to one face, with measured and proven figures.
 
     Every field of the JSON format is an attribute: status, stage, message, where, method, distance, tolerance,
-    certified_error, sampled_error, edge_error, surface, limits, loops, edges, faces, gap, crease, elapsed_ms. Lengths are in mm, times in
+    certified_error, sampled_error, edge_error, surface, limits, extension, loops, edges, faces, gap, crease, elapsed_ms. Lengths are in mm, times in
     ms; distance and limits are signed along the base face's outward normal, its orientation included. A figure which
     was not computed is None.
 

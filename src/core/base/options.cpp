@@ -35,8 +35,6 @@ Result<bool> check(const OffsetOptions &options)
                        fmt::format("max_degree {} is out of its range 3 to 7.", options.max_degree));
     if (options.method == Method::RaviKumar)
         return refusal(Status::NotSupported, "The method ravi-kumar is not part of this version; use same-parameter.");
-    if (options.extension > 0.0)
-        return refusal(Status::NotSupported, "Extension is not part of this version; use extension 0.");
     return true;
 }
 

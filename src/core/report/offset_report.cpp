@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_report.h"
 
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -18,14 +20,6 @@ Json number(const std::optional<double> &value)
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-Json surface_json(const std::optional<SurfaceSummary> &surface)
-{
-    if (!surface)
-        return nullptr;
-    return {{"type", surface->type},       {"degree_u", surface->degree_u}, {"degree_v", surface->degree_v},
-            {"poles_u", surface->poles_u}, {"poles_v", surface->poles_v},   {"rational", surface->rational}};
-}
-
 Json limits_json(const std::optional<FeasibleRange> &limits)
 {
     if (!limits)
@@ -34,6 +28,31 @@ Json limits_json(const std::optional<FeasibleRange> &limits)
 }
 
 } // namespace
+
+SurfaceSummary summary_of(const Handle(Geom_Surface) & surface)
+{
+    SurfaceSummary result;
+    switch (GeomAdaptor_Surface(surface).GetType())
+    {
+    case GeomAbs_Plane: result.type = "plane"; break;
+    case GeomAbs_Cylinder: result.type = "cylinder"; break;
+    case GeomAbs_Cone: result.type = "cone"; break;
+    case GeomAbs_Sphere: result.type = "sphere"; break;
+    case GeomAbs_Torus: result.type = "torus"; break;
+    case GeomAbs_SurfaceOfRevolution: result.type = "revolution"; break;
+    case GeomAbs_SurfaceOfExtrusion: result.type = "extrusion"; break;
+    default: result.type = "bspline"; break;
+    }
+    if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface))
+    {
+        result.degree_u = spline->UDegree();
+        result.degree_v = spline->VDegree();
+        result.poles_u = spline->NbUPoles();
+        result.poles_v = spline->NbVPoles();
+        result.rational = spline->IsURational() || spline->IsVRational();
+    }
+    return result;
+}
 
 OffsetReport refusal_report(const Failure &failure, const OffsetOptions &options)
 {
@@ -60,6 +79,28 @@ Json to_json(const std::optional<Where> &where)
             {"z", where->point.Z()}};
 }
 
+Json to_json(const std::optional<SurfaceSummary> &surface)
+{
+    if (!surface)
+        return nullptr;
+    return {{"type", surface->type},       {"degree_u", surface->degree_u}, {"degree_v", surface->degree_v},
+            {"poles_u", surface->poles_u}, {"poles_v", surface->poles_v},   {"rational", surface->rational}};
+}
+
+Json to_json(const std::vector<ExtendedSide> &sides)
+{
+    Json list = Json::array();
+    for (const ExtendedSide &side : sides)
+        list.push_back({{"side", name(side.side)},
+                        {"parameter", side.parameter},
+                        {"mean_length", side.mean_length},
+                        {"shortest", side.shortest},
+                        {"longest", side.longest},
+                        {"join_angle", side.join_angle},
+                        {"moved_edges", side.moved_edges}});
+    return list;
+}
+
 Json to_json(const OffsetReport &report)
 {
     Json json;
@@ -74,8 +115,11 @@ Json to_json(const OffsetReport &report)
     json["sampled_error"] = number(report.sampled_error);
     json["edge_error"] = number(report.edge_error);
     json["sampled_edge_error"] = number(report.sampled_edge_error);
-    json["surface"] = surface_json(report.surface);
+    json["surface"] = to_json(report.surface);
     json["limits"] = limits_json(report.limits);
+    json["extension"] = report.extension
+                            ? Json{{"length", report.extension->length}, {"sides", to_json(report.extension->sides)}}
+                            : Json(nullptr);
     json["loops"] = report.loops;
     json["edges"] = report.edges;
     json["faces"] = report.faces;

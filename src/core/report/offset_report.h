@@ -6,7 +6,9 @@
 #include "../base/crease_kind.h"
 #include "../base/options.h"
 #include "../base/result.h"
+#include "../extension/extend_surface.h"
 
+#include <Geom_Surface.hxx>
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
@@ -28,6 +30,16 @@ struct SurfaceSummary
     int poles_u = 0;
     int poles_v = 0;
     bool rational = false;
+};
+
+//! The summary of a surface.
+SurfaceSummary summary_of(const Handle(Geom_Surface) & surface);
+
+//! How the result was extended past its sides.
+struct Extension
+{
+    double length = 0.0;             //!< as asked [mm]
+    std::vector<ExtendedSide> sides; //!< in the order in which they were extended
 };
 
 //! Wall-clock time of the stages [ms], in the order they ran.
@@ -58,8 +70,9 @@ struct OffsetReport
     //! Proven; empty when not computed. Of a result they may fall short of the true limits by a tenth, where these are
     //! costly by a quarter or more; offset_limits() gives sharp ones.
     std::optional<FeasibleRange> limits;
-    int loops = 0; //!< of the base face
-    int edges = 0; //!< of the base face
+    std::optional<Extension> extension; //!< empty when none was asked for
+    int loops = 0;                      //!< of the base face
+    int edges = 0;                      //!< of the base face
 
     int faces = 0;                    //!< of the result; more than one where a crease tears the base into parts
     std::optional<double> gap;        //!< proven bound of the distance between two parts' edges along a crease [mm]
@@ -72,6 +85,13 @@ OffsetReport refusal_report(const Failure &failure, const OffsetOptions &options
 
 //! A place as {u,v,x,y,z}, or null.
 nlohmann::ordered_json to_json(const std::optional<Where> &where);
+
+//! A surface's summary as an object, or null.
+nlohmann::ordered_json to_json(const std::optional<SurfaceSummary> &surface);
+
+//! Extended sides as a list of {"side", "parameter", "mean_length", "shortest", "longest", "join_angle",
+//! "moved_edges"}; lengths in mm, the angle in radians.
+nlohmann::ordered_json to_json(const std::vector<ExtendedSide> &sides);
 
 //! The report as a JSON object (keys in documentation order).
 nlohmann::ordered_json to_json(const OffsetReport &report);
