@@ -17,8 +17,6 @@ constexpr double first_direction_share = 0.45;
 constexpr int most_rounds = 3;
 // A pole of the change is a sum of (degree + 1)^2 products of insertion weights, each a product of some 10 factors.
 constexpr double change_operations = 400.0;
-// Part of the spans that has to go, else the reduction is not worth its error.
-constexpr double worthwhile = 0.6;
 // So many curves of the net choose the knots at first. What the choice does to all is found out afterwards.
 constexpr Eigen::Index enough_curves = 24;
 
@@ -51,7 +49,7 @@ std::optional<KnotVector> fewer_knots(const KnotVector &fine, const RowMatrix &p
     return choice ? std::optional(choice->knots) : std::nullopt;
 }
 
-bool worth_it(const TensorSpline &spline, const KnotVector &u, const KnotVector &v)
+bool worth_it(const TensorSpline &spline, const KnotVector &u, const KnotVector &v, double worthwhile)
 {
     const auto spans = [](const KnotVector &a, const KnotVector &b) {
         return static_cast<double>((a.breaks().size() - 1) * (b.breaks().size() - 1));
@@ -71,7 +69,7 @@ RowMatrix some_curves(const RowMatrix &points, Eigen::Index count)
 
 } // namespace
 
-DataReduction::DataReduction(const TensorSpline &spline) : m_spline(spline)
+DataReduction::DataReduction(const TensorSpline &spline, double worthwhile) : m_spline(spline), m_worthwhile(worthwhile)
 {
     if (spline.rational)
         return;
@@ -108,7 +106,7 @@ std::optional<ReducedSpline> DataReduction::attempt(double tolerance, bool all_c
     };
     const auto u = knots(m_spline.u, m_by_u);
     const auto v = u ? knots(m_spline.v, m_by_v) : std::nullopt;
-    if (!u || !v || !worth_it(m_spline, *u, *v))
+    if (!u || !v || !worth_it(m_spline, *u, *v, m_worthwhile))
         return std::nullopt;
     return over(*u, *v);
 }
@@ -143,9 +141,9 @@ std::optional<ReducedSpline> DataReduction::over(const KnotVector &u, const Knot
     return result;
 }
 
-std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance)
+std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance, double worthwhile)
 {
-    return DataReduction(spline).within(tolerance);
+    return DataReduction(spline, worthwhile).within(tolerance);
 }
 
 } // namespace laminate_offset

@@ -30,7 +30,8 @@ class DataReduction
 {
 public:
     //! \param spline has to outlive this.
-    explicit DataReduction(const TensorSpline &spline);
+    //! \param worthwhile largest part of the spans that may stay: with more the reduction is not worth its error.
+    explicit DataReduction(const TensorSpline &spline, double worthwhile = 0.6);
 
     //! \param tolerance [mm] that no change of a pole may exceed.
     //! \return nothing for a rational surface, or where fewer knots do not suffice.
@@ -41,6 +42,7 @@ private:
     [[nodiscard]] std::optional<ReducedSpline> over(const KnotVector &u, const KnotVector &v) const;
 
     const TensorSpline &m_spline;
+    double m_worthwhile;
     Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();
     RowMatrix m_by_u; //!< poles relative to the origin: one row for each u pole, the points of all v poles in it
     RowMatrix m_by_v;
@@ -48,8 +50,6 @@ private:
 };
 
 //! The same for one tolerance.
-//! \param tolerance [mm] that no change of a pole may exceed.
-//! \return nothing for a rational surface, or where fewer knots do not suffice.
-std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance);
+std::optional<ReducedSpline> reduced(const TensorSpline &spline, double tolerance, double worthwhile = 0.6);
 
 } // namespace laminate_offset

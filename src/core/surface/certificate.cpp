@@ -30,6 +30,7 @@ constexpr double collapsed = 1e-11;
 // tests compare with interval arithmetic.
 constexpr double extraction_operations = 160.0;
 constexpr double product_operations = 512.0;
+constexpr double usual_terms = 64.0; // pieces of higher degrees than 7 have more
 
 //! The pieces of base and offset on one rectangle, in coordinates relative to a near point.
 struct Piece
@@ -99,7 +100,12 @@ struct Leaf
 class PieceProver
 {
 public:
-    PieceProver(double distance, double target) : m_d(distance), m_target(target) {}
+    //! \param base_operations rounding that the base's poles bring along.
+    PieceProver(double distance, double target, double base_operations)
+        : m_d(distance), m_target(target), m_operations(extraction_operations + base_operations),
+          m_rounded_base(base_operations > 0.0)
+    {
+    }
 
     //! A bound over the piece: at most the target if that can be shown.
     double prove(Piece &piece, int depth = 0)
@@ -314,17 +320,21 @@ private:
         const double w = longest(m_w) / weights.low;
         const double size =
             std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
-        const double w_error = extraction_operations * epsilon * size * (weights.high / weights.low) +
-                               piece.weight_gap * size / weights.low;
+        const double w_error =
+            m_operations * epsilon * size * (weights.high / weights.low) + piece.weight_gap * size / weights.low;
         const double ratio = weights.high / weights.low;
-        frame.a_error =
-            2.0 * w * w_error + w_error * w_error + product_operations * epsilon * (w * w + std::pow(m_d * ratio, 2));
+        const double products = product_operations * epsilon * std::max(1.0, terms(m_w[0]) / usual_terms);
+        frame.a_error = 2.0 * w * w_error + w_error * w_error + products * (w * w + std::pow(m_d * ratio, 2));
         // Poles that nearly agree, on short pieces or under skewed parameters, leave little of their difference.
         const int degree = std::max(piece.base.numerator[0].degree_u(), piece.base.numerator[0].degree_v());
-        const double local = longest(piece.base.numerator) / weights.low + (piece.base.rational() ? piece.extent : 0.0);
-        const double derivative_error = 2.0 * degree * extraction_operations * epsilon * local * ratio * ratio;
-        frame.b_error = w_error + w * (product_operations * epsilon + frame.slope * derivative_error);
+        const bool of_far = piece.base.rational() || m_rounded_base;
+        const double local = longest(piece.base.numerator) / weights.low + (of_far ? piece.extent : 0.0);
+        const double derivative_error = 2.0 * degree * m_operations * epsilon * local * ratio * ratio;
+        frame.b_error = w_error + w * (products + frame.slope * derivative_error);
     }
+
+    //! Products of two coefficients that may add up in one of a product's.
+    [[nodiscard]] static double terms(const Bernstein &b) { return (b.degree_u() + 1.0) * (b.degree_v() + 1.0); }
 
     //! Bound over a whole frame. The side of the surface on which O lies is known at the centre only: it holds
     //! elsewhere if no leaf lets O pass through the surface.
@@ -412,6 +422,8 @@ private:
 
     double m_d;
     double m_target;
+    double m_operations;
+    bool m_rounded_base;
     bool m_sign_holds = true;
     Corners m_corner_weights = Corners::Ones();
     PieceTangents m_tangents;
@@ -488,7 +500,7 @@ Certificate certify(const CertificateRequest &request)
     std::mutex guard;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pattern.count_u()), [&](const auto &range) {
         PairCutter cutter = pattern;
-        PieceProver prover(request.distance, request.target);
+        PieceProver prover(request.distance, request.target, request.base_operations);
         Piece piece;
         double worst = 0.0;
         ParameterBox place;

@@ -33,6 +33,8 @@ struct CertificateRequest
     double distance = 0.0;      //!< along S_u x S_v [mm]
     double target = 0.0;        //!< the bound to prove [mm]
     RectangleFilter needed;     //!< empty: everywhere
+    //! How far the base's poles may be from those that are meant, in units of rounding of its largest coordinates.
+    double base_operations = 0.0;
 };
 
 struct Certificate

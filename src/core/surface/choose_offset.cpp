@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_surface.h"
 
+#include "piegl_tiller.h"
+
 #include <Geom_BSplineSurface.hxx>
 
 #include <cmath>
@@ -78,6 +80,8 @@ Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const Inpu
     std::optional<OffsetSurface> ready = hidden_offset(analysis, distance, tolerance);
     if (ready && smallest(*ready))
         return *std::move(ready);
+    if (options.method == Method::RaviKumar)
+        return ready ? *std::move(ready) : piegl_tiller_offset(analysis, input, distance, tolerance, options);
     ready = or_base(std::move(ready), analysis, input, distance, tolerance);
     Result<OffsetSurface> fitted = fit_offset(analysis, input, distance, tolerance, options);
     if (!ready)

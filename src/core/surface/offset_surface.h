@@ -7,21 +7,26 @@
 #include "../base/options.h"
 #include "../base/result.h"
 #include "../input/input_face.h"
+#include "../spline/monotone_map.h"
 
 #include <Geom_Surface.hxx>
 
+#include <memory>
 #include <optional>
 
 namespace laminate_offset
 {
 
-//! The offset surface. A base parameter (u, v) belongs to (u, v) + parameter_shift of the result.
+//! The offset surface. A base parameter (u, v) belongs to (u, v) + parameter_shift of the result, or to the place that
+//! the parameter map takes to (u, v).
 struct OffsetSurface
 {
     Handle(Geom_Surface) geometry;
     gp_Vec2d parameter_shift{0.0, 0.0};
-    std::optional<double> certified_error; //!< proven bound of |O - (S + d N)| [mm]
+    std::optional<double> certified_error; //!< proven bound of |O - (S + d N)| at places that belong together [mm]
     std::optional<double> sampled_error;   //!< largest deviation seen [mm]; empty for exact surfaces
+    //! From the result's own parameters to the base's, where they are more than shifted.
+    std::shared_ptr<const ParameterMap> parameter_map = nullptr;
 };
 
 //! Parts of the user's tolerance. The surface takes nearly all of it, because its poles are many; the

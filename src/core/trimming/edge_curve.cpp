@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "edge_curve.h"
 
+#include "curve_breaks.h"
 #include "edge_certificate.h"
 #include "edge_fit.h"
 
@@ -42,7 +43,6 @@ constexpr int most_rounds = 6;
 constexpr int smooth_rounds = 3;
 constexpr int checks_per_interval = 24;
 constexpr int least_checks = 200;
-constexpr int crossing_probes = 32;
 // A pcurve counts as isoparametric when it strays from the line by less than this part of its length.
 constexpr double iso_straightness = 1e-12;
 // Part of an edge's tolerance that a parallelogram may be twisted by.
@@ -207,84 +207,6 @@ Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
     return {};
 }
 
-//! Knots of the pcurve with their continuity.
-void add_pcurve_breaks(const CurveOnSurface &c, std::vector<DataBreak> &breaks)
-{
-    Handle(Geom2d_Curve) curve = c.pcurve;
-    while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve))
-        curve = trimmed->BasisCurve();
-    const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve);
-    if (spline.IsNull())
-        return;
-    for (int i = 1; i <= spline->NbKnots(); ++i)
-        breaks.push_back({spline->Knot(i), std::max(0, spline->Degree() - spline->Multiplicity(i))});
-}
-
-//! Where the pcurve's coordinate takes the value `knot` between a and b, which lie on either side of it.
-double crossing(const EdgeTarget &target, int direction, double knot, double a, double b)
-{
-    const bool rising = target.uv(a)[direction] < knot;
-    for (int k = 0; k < 60; ++k)
-    {
-        const double middle = 0.5 * (a + b);
-        ((target.uv(middle)[direction] < knot) == rising ? a : b) = middle;
-    }
-    return 0.5 * (a + b);
-}
-
-//! Parameters at which the pcurve crosses a knot line of the surface.
-void add_crossings(const EdgeTarget &target, int direction, const KnotVector &kv, const std::vector<double> &probes,
-                   std::vector<DataBreak> &breaks)
-{
-    const std::vector<Knot> knots = kv.distinct();
-    double at_low = target.uv(probes.front())[direction];
-    for (std::size_t i = 1; i < probes.size(); ++i)
-    {
-        const double at_high = target.uv(probes[i])[direction];
-        const auto [low, high] = std::minmax(at_low, at_high);
-        const auto first = std::upper_bound(knots.begin(), knots.end(), low,
-                                            [](double value, const Knot &knot) { return value < knot.parameter; });
-        for (auto knot = first; knot != knots.end() && knot->parameter < high; ++knot)
-            if (knot != knots.begin() && knot + 1 != knots.end())
-                breaks.push_back({crossing(target, direction, knot->parameter, probes[i - 1], probes[i]),
-                                  kv.degree - knot->multiplicity});
-        at_low = at_high;
-    }
-}
-
-//! All interior parameters at which the curve on the surface is less than smooth, merged.
-std::vector<DataBreak> composite_breaks(const EdgeTarget &target)
-{
-    const CurveOnSurface &c = target.on_surface();
-    std::vector<DataBreak> breaks;
-    add_pcurve_breaks(c, breaks);
-    std::vector<double> probes;
-    for (int i = 0; i <= crossing_probes; ++i)
-        probes.push_back(c.first + (c.last - c.first) * i / crossing_probes);
-    for (const DataBreak &b : breaks)
-        if (b.parameter > c.first && b.parameter < c.last)
-            probes.push_back(b.parameter);
-    std::sort(probes.begin(), probes.end());
-    if (const TensorSpline *spline = target.spline())
-    {
-        add_crossings(target, 0, spline->u, probes, breaks);
-        add_crossings(target, 1, spline->v, probes, breaks);
-    }
-    std::sort(breaks.begin(), breaks.end(), [](const auto &a, const auto &b) { return a.parameter < b.parameter; });
-    std::vector<DataBreak> merged;
-    const double same = 1e-7 * (c.last - c.first);
-    for (const DataBreak &b : breaks)
-    {
-        if (b.parameter <= c.first + same || b.parameter >= c.last - same)
-            continue;
-        if (!merged.empty() && b.parameter - merged.back().parameter <= same)
-            merged.back().continuity = std::min(merged.back().continuity, b.continuity);
-        else
-            merged.push_back(b);
-    }
-    return merged;
-}
-
 RowMatrix sampled(const EdgeTarget &target, const std::vector<double> &parameters, const Eigen::Vector3d &origin)
 {
     RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
@@ -293,28 +215,12 @@ RowMatrix sampled(const EdgeTarget &target, const std::vector<double> &parameter
     return rows;
 }
 
-Handle(Geom_BSplineCurve) curve_from(const KnotVector &kv, const RowMatrix &poles, const Eigen::Vector3d &origin)
-{
-    TColgp_Array1OfPnt points(1, static_cast<int>(poles.rows()));
-    for (int i = 0; i < poles.rows(); ++i)
-        points(i + 1) = gp_Pnt(origin.x() + poles(i, 0), origin.y() + poles(i, 1), origin.z() + poles(i, 2));
-    const std::vector<Knot> distinct = kv.distinct();
-    TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
-    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
-    for (int i = 1; i <= knots.Length(); ++i)
-    {
-        knots(i) = distinct[static_cast<std::size_t>(i) - 1].parameter;
-        multiplicities(i) = distinct[static_cast<std::size_t>(i) - 1].multiplicity;
-    }
-    return new Geom_BSplineCurve(points, knots, multiplicities, kv.degree);
-}
-
 //! The curve over chosen knots and its deviation.
 EdgeCurve judged(const EdgeTarget &target, const KnotVector &knots, const RowMatrix &poles,
                  const Eigen::Vector3d &origin, double tolerance)
 {
     EdgeCurve result;
-    result.curve = curve_from(knots, poles, origin);
+    result.curve = spline_curve(knots, poles, origin);
     result.deviation = target.deviation(result.curve, tolerance);
     return result;
 }
@@ -369,7 +275,9 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
     KnotProblem problem;
     problem.low = c.first;
     problem.high = c.last;
-    problem.breaks = composite_breaks(target);
+    const TensorSpline *spline = target.spline();
+    problem.breaks = curve_breaks(
+        c, [&](double t) { return target.uv(t); }, spline ? &spline->u : nullptr, spline ? &spline->v : nullptr);
     problem.tolerance = 0.8 * tolerance;
     problem.min_degree = 4; // cubics hardly ever win by then, and cost a third of the search
     problem.max_degree = 5;
@@ -477,7 +385,7 @@ Deviation EdgeTarget::deviation(const gp_Pnt &point, double target) const
     return {widest, false};
 }
 
-std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
+std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance)
 {
     const CurveOnSurface &c = target.on_surface();
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface);
@@ -485,6 +393,13 @@ std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
     if (!exact.IsNull())
         if (const Deviation deviation = target.deviation(exact, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{exact, deviation};
+    return std::nullopt;
+}
+
+std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
+{
+    if (std::optional<EdgeCurve> exact = exact_curve(target, tolerance))
+        return exact;
     return fitted_curve(target, tolerance);
 }
 

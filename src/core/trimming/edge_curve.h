@@ -47,6 +47,7 @@ public:
     EdgeTarget(const CurveOnSurface &on_surface, const AnalyticSurface *form);
 
     [[nodiscard]] const CurveOnSurface &on_surface() const { return m_on_surface; }
+    [[nodiscard]] const AnalyticSurface *form() const { return m_form; }
     //! The surface as a spline, null where it is none.
     [[nodiscard]] const TensorSpline *spline() const;
     [[nodiscard]] Eigen::Vector2d uv(double t) const;
@@ -65,6 +66,11 @@ private:
     const AnalyticSurface *m_form;
     std::optional<AnalyticCurve> m_pcurve;
 };
+
+//! The exact curve of an isoparametric pcurve (a line, a circle, a B-spline's own isoparametric curve) and of any pcurve
+//! on a plane.
+//! \return nothing for any other pcurve, or where rounding exceeds the tolerance [mm].
+std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance);
 
 //! Isoparametric pcurves give an exact curve (a line, a circle, a B-spline's own isoparametric curve), all
 //! pcurves on a plane too; any other pcurve is fitted with few poles. The curve has the pcurve's

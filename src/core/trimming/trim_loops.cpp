@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "trim_loops.h"
 
+#include "reparametrised_edge.h"
 #include "straight_pcurve.h"
 
 #include "../spline/geom_values.h"
@@ -70,41 +71,6 @@ std::vector<Eigen::Vector3d> exact_points(const EdgeContext &context, const std:
     return context.base.offset_grid(us, vs, context.distance, singular);
 }
 
-//! Largest distance seen of the curve from S + d N over the base's pcurve.
-double error_of_edge(const EdgeContext &context, const TrimmingCurve &base, const Handle(Geom_Curve) & curve)
-{
-    std::vector<double> us;
-    std::vector<double> vs;
-    std::vector<Eigen::Vector3d> points;
-    const GeomAdaptor_Curve in_space(curve);
-    const Geom2dAdaptor_Curve in_parameters(base.pcurve);
-    for (int i = 0; i <= error_samples; ++i)
-    {
-        const double t = base.first + (base.last - base.first) * i / error_samples;
-        const gp_Pnt2d uv = in_parameters.Value(t);
-        us.push_back(uv.X());
-        vs.push_back(uv.Y());
-        points.push_back(vector(in_space.Value(t).XYZ()));
-    }
-    const auto constant = [](const std::vector<double> &x) {
-        return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end();
-    };
-    // along an isoparametric line all places are one grid
-    std::vector<Eigen::Vector3d> exact;
-    if (constant(us))
-        exact = exact_points(context, {us.front()}, vs);
-    else if (constant(vs))
-        exact = exact_points(context, us, {vs.front()});
-    double worst = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        const auto here = exact.empty() ? exact_points(context, {us[i]}, {vs[i]}) : std::vector{exact[i]};
-        if (!here.empty())
-            worst = std::max(worst, (here.front() - points[i]).squaredNorm());
-    }
-    return std::sqrt(worst) + context.base.model_error().of_offset(context.distance);
-}
-
 //! On a plane the offset of an edge is its translate: no pcurve is involved and nothing is fitted.
 Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &base)
 {
@@ -159,7 +125,7 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
     edge.curve = made->curve;
     edge.deviation = made->deviation;
     edge.deviation.bound += moved;
-    edge.sampled_error = error_of_edge(context, base, edge.curve);
+    edge.sampled_error = sampled_edge_error(context, base, edge.curve);
     return edge;
 }
 
@@ -191,18 +157,50 @@ std::vector<const TrimmingCurve *> first_uses(const EdgeContext &context, TopToo
 
 } // namespace
 
+double sampled_edge_error(const EdgeContext &context, const TrimmingCurve &base, const Handle(Geom_Curve) & curve)
+{
+    std::vector<double> us;
+    std::vector<double> vs;
+    std::vector<Eigen::Vector3d> points;
+    const GeomAdaptor_Curve in_space(curve);
+    const Geom2dAdaptor_Curve in_parameters(base.pcurve);
+    for (int i = 0; i <= error_samples; ++i)
+    {
+        const double t = base.first + (base.last - base.first) * i / error_samples;
+        const gp_Pnt2d uv = in_parameters.Value(t);
+        us.push_back(uv.X());
+        vs.push_back(uv.Y());
+        points.push_back(vector(in_space.Value(t).XYZ()));
+    }
+    const auto constant = [](const std::vector<double> &x) {
+        return std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end();
+    };
+    // along an isoparametric line all places are one grid
+    std::vector<Eigen::Vector3d> exact;
+    if (constant(us))
+        exact = exact_points(context, {us.front()}, vs);
+    else if (constant(vs))
+        exact = exact_points(context, us, {vs.front()});
+    double worst = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto here = exact.empty() ? exact_points(context, {us[i]}, {vs[i]}) : std::vector{exact[i]};
+        if (!here.empty())
+            worst = std::max(worst, (here.front() - points[i]).squaredNorm());
+    }
+    return std::sqrt(worst) + context.base.model_error().of_offset(context.distance);
+}
+
 std::optional<double> TrimLoops::edge_error(const std::optional<double> &certified_error) const
 {
-    if (!certified_error)
-        return std::nullopt;
     double worst = 0.0;
     for (const OffsetEdge &edge : edges)
     {
-        if (!edge.deviation.proven)
+        if (edge.own_parameters ? !edge.offset_error : !edge.deviation.proven || !certified_error)
             return std::nullopt;
-        worst = std::max(worst, edge.deviation.bound);
+        worst = std::max(worst, edge.own_parameters ? *edge.offset_error : edge.deviation.bound + *certified_error);
     }
-    return worst + *certified_error;
+    return worst;
 }
 
 double TrimLoops::sampled_error() const
@@ -220,8 +218,11 @@ Result<TrimLoops> offset_loops(const EdgeContext &context)
     const std::optional<AnalyticSurface> analytic = AnalyticSurface::make(context.surface.geometry);
     const AnalyticSurface *form = analytic ? &*analytic : nullptr;
     std::vector<std::optional<Result<OffsetEdge>>> made(uses.size());
-    tbb::parallel_for(std::size_t{0}, uses.size(),
-                      [&](std::size_t k) { made[k] = offset_edge(context, *uses[k], form); });
+    const std::optional<ReparametrisedEdges> reparametrised =
+        context.surface.parameter_map ? std::optional<ReparametrisedEdges>(std::in_place, context, form) : std::nullopt;
+    tbb::parallel_for(std::size_t{0}, uses.size(), [&](std::size_t k) {
+        made[k] = reparametrised ? reparametrised->make(*uses[k]) : offset_edge(context, *uses[k], form);
+    });
     for (std::optional<Result<OffsetEdge>> &edge : made)
     {
         if (!edge->ok())
@@ -232,8 +233,12 @@ Result<TrimLoops> offset_loops(const EdgeContext &context)
         for (const TrimmingCurve &curve : loop.curves)
         {
             const auto k = static_cast<std::size_t>(loops.bases.FindIndex(curve.edge)) - 1;
-            if (curve.seam && &curve != uses[k])
+            if (!curve.seam || &curve == uses[k])
+                continue;
+            if (!reparametrised)
                 add_second_side(context, curve, form, loops.edges[k]);
+            else if (const Result<bool> added = reparametrised->add_second_side(curve, loops.edges[k]); !added)
+                return added.failure();
         }
     return loops;
 }

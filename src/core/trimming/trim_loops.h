@@ -31,6 +31,10 @@ struct OffsetEdge
     Deviation deviation;        //!< of the curve, or the point, from the offset surface at its pcurves and the base's
     double sampled_error = 0.0; //!< largest distance seen from the exact offset of the base edge [mm]
     double moved = 0.0;         //!< part of the bound: how far the pcurve leads away from the base's [mm]
+    //! The surface has parameters of its own. Then the distance from the exact offset of the base edge is proven by
+    //! itself, without the surface, or not at all.
+    bool own_parameters = false;
+    std::optional<double> offset_error; //!< that proven bound [mm]
 };
 
 //! The offset edges; edge k belongs to the base edge bases(k + 1).
@@ -56,6 +60,9 @@ struct EdgeContext
     double distance = 0.0;  //!< along S_u x S_v [mm]
     double tolerance = 0.0; //!< largest deviation of an edge curve from the offset surface [mm]
 };
+
+//! Largest distance seen of a curve from S + d N over the base's pcurve, at equal parameters [mm].
+double sampled_edge_error(const EdgeContext &context, const TrimmingCurve &base, const Handle(Geom_Curve) & curve);
 
 //! Makes the curves of all edges. An edge that is a point on the base gets one where the offset opens up there.
 //! Refusal: EdgeToleranceNotReached.

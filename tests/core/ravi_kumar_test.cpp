@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The paper's route: the interpolated surface, trimming curves in space and their offsets, and whole faces; judged by dense
+// sampling with OpenCASCADE and by the oracle that shares no code with the engine.
+#include "support/data_files.h"
+#include "support/offset_oracle.h"
+#include "support/offsets.h"
+#include "support/random_cases.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/analysis/surface_analysis.h>
+#include <laminate_offset/offset_face.h>
+#include <laminate_offset/spline/monotone_map.h>
+#include <laminate_offset/surface/certificate.h>
+#include <laminate_offset/surface/piegl_tiller.h>
+#include <laminate_offset/trimming/offset_trimming_curve.h>
+#include <laminate_offset/trimming/space_curve.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Line.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+constexpr double rounding = 1e-9;
+
+Handle(Geom_BSplineSurface) hills()
+{
+    return height_surface([](double x, double y) { return 40.0 * std::sin(x / 180.0) * std::cos(y / 150.0); }, 800.0,
+                          500.0, 8, 8);
+}
+
+TopoDS_Face whole(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-6).Face(); }
+
+Result<OffsetResult> by_ravi_kumar(const TopoDS_Face &face, double distance, double tolerance)
+{
+    OffsetOptions options;
+    options.distance = distance;
+    options.tolerance = tolerance;
+    options.method = Method::RaviKumar;
+    return offset_face(face, options);
+}
+
+//! S + d N by OpenCASCADE alone.
+gp_Pnt exact_offset_point(const Handle(Geom_Surface) & surface, double u, double v, double distance)
+{
+    gp_Pnt p;
+    gp_Vec su, sv;
+    surface->D1(u, v, p, su, sv);
+    return p.Translated(distance * su.Crossed(sv).Normalized());
+}
+
+//! A wavy polynomial pcurve inside the unit square.
+Handle(Geom2d_Curve) wavy_pcurve()
+{
+    TColgp_Array1OfPnt2d poles(1, 6);
+    const double heights[] = {0.2, 0.7, 0.1, 0.8, 0.3, 0.6};
+    for (int i = 0; i < 6; ++i)
+        poles(i + 1) = gp_Pnt2d(0.1 + 0.8 * i / 5.0, heights[i]);
+    TColStd_Array1OfReal knots(1, 4);
+    TColStd_Array1OfInteger multiplicities(1, 4);
+    const double parameters[] = {0.0, 0.3, 0.7, 1.0};
+    for (int i = 0; i < 4; ++i)
+    {
+        knots(i + 1) = parameters[i];
+        multiplicities(i + 1) = i == 0 || i == 3 ? 4 : 1;
+    }
+    return new Geom2d_BSplineCurve(poles, knots, multiplicities, 3);
+}
+
+//! Largest distance at equal parameters of a curve from the exact offset of a pcurve.
+double dense_deviation(const Handle(Geom_Curve) & curve, const CurveOnSurface &c, double distance)
+{
+    constexpr int samples = 5000;
+    double worst = 0.0;
+    for (int k = 0; k <= samples; ++k)
+    {
+        const double t = c.first + (c.last - c.first) * k / samples;
+        const gp_Pnt2d uv = c.pcurve->Value(t);
+        worst = std::max(worst, curve->Value(t).Distance(exact_offset_point(c.surface, uv.X(), uv.Y(), distance)));
+    }
+    return worst;
+}
+
+} // namespace
+
+TEST(MonotoneMap, IncreasesAndTurnsAround)
+{
+    RandomCases random;
+    int bent = 0;
+    for (int round = 0; round < 200; ++round)
+    {
+        std::vector<MonotoneMap::Node> nodes;
+        double parameter = random.uniform(-5.0, 5.0);
+        double value = random.uniform(-5.0, 5.0);
+        for (int i = 0; i < random.integer(2, 8); ++i)
+        {
+            const double slope = random.magnitude(1e-3, 1e3); // most are too steep or too flat
+            nodes.push_back({parameter, value, slope, random.integer(0, 1) == 0 ? slope : random.magnitude(1e-3, 1e3)});
+            parameter += random.magnitude(1e-2, 1e2);
+            value += random.magnitude(1e-2, 1e2);
+        }
+        const MonotoneMap map(nodes);
+        double last = -std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= 500; ++k)
+        {
+            const double x = nodes.front().parameter + (nodes.back().parameter - nodes.front().parameter) * k / 500.0;
+            const double y = map.value(x);
+            EXPECT_GT(y, last);
+            EXPECT_NEAR(map.value(map.parameter(y)), y, 1e-12 * (1.0 + std::abs(y)));
+            last = y;
+        }
+        bent += nodes.size() > 2 ? 1 : 0;
+        for (const MonotoneMap::Node &node : nodes)
+            EXPECT_DOUBLE_EQ(map.value(node.parameter), node.value);
+    }
+    EXPECT_GT(bent, 100);
+}
+
+TEST(Reparametrised, IsTheSurfaceThroughTheMap)
+{
+    RandomCases random;
+    for (int round = 0; round < 30; ++round)
+    {
+        SurfaceKind kind;
+        kind.degree_u = random.integer(1, 8);
+        kind.degree_v = random.integer(1, 5);
+        kind.spans_u = random.integer(1, 4);
+        kind.rational = round % 3 == 0;
+        const TensorSpline base = from_geom(random_surface(random, kind));
+        const auto map = [&](const KnotVector &kv) {
+            std::vector<MonotoneMap::Node> nodes;
+            double parameter = 0.0;
+            for (const double value : kv.breaks())
+            {
+                const double slope = random.magnitude(1e-3, 1e-1);
+                nodes.push_back({parameter, value, slope, slope});
+                parameter += random.magnitude(5.0, 50.0);
+            }
+            return MonotoneMap(nodes);
+        };
+        const ParameterMap maps{map(base.u), map(base.v)};
+        const TensorSpline seen = reparametrised(base, maps);
+        const double rounding_unit =
+            reparametrisation_operations(base) * std::numeric_limits<double>::epsilon() * 100.0;
+        for (int k = 0; k < 40; ++k)
+        {
+            const double x = random.uniform(seen.u.front(), seen.u.back());
+            const double y = random.uniform(seen.v.front(), seen.v.back());
+            const Eigen::Vector3d a = seen.jets({x}, {y}, 0).front().s;
+            const Eigen::Vector3d b = base.jets({maps.u.value(x)}, {maps.v.value(y)}, 0).front().s;
+            EXPECT_LT((a - b).norm(), 4.0 * rounding_unit);
+        }
+    }
+}
+
+TEST(Certificate, PaysForTheRoundingOfTheBase)
+{
+    const TensorSpline base = from_geom(hills());
+    TensorSpline same = base;
+    for (Eigen::Vector4d &pole : same.poles)
+        pole.z() += 1e-7;
+    const double plain = certify({base, same, 0.0, 1e-3, {}}).bound;
+    const double paid = certify({base, same, 0.0, 1e-3, {}, 1e6}).bound;
+    EXPECT_GT(paid, plain + 1e6 * std::numeric_limits<double>::epsilon() * 100.0);
+}
+
+TEST(PieglTiller, KeepsItsBoundOnBothSidesAtAllTolerances)
+{
+    const Result<InputFace> input = read_face(whole(hills()));
+    ASSERT_TRUE(input.ok());
+    int fewer = 0;
+    for (const double distance : {-40.0, -1.0, 0.01, 10.0, 60.0})
+        for (const double tolerance : {1.0, 1e-2, 1e-4})
+        {
+            SCOPED_TRACE(testing::Message() << "distance " << distance << " tolerance " << tolerance);
+            const Result<SurfaceAnalysis> analysis = analyse(input.value(), distance, tolerance);
+            ASSERT_TRUE(analysis.ok());
+            const Result<OffsetSurface> made =
+                piegl_tiller_offset(analysis.value(), input.value(), distance, tolerance, OffsetOptions());
+            ASSERT_TRUE(made.ok()) << made.failure().message;
+            const OffsetSurface &offset = made.value();
+            ASSERT_TRUE(offset.certified_error.has_value());
+            ASSERT_TRUE(offset.parameter_map != nullptr);
+            EXPECT_LE(*offset.certified_error, tolerance);
+            double worst = 0.0;
+            double u0, u1, v0, v1;
+            offset.geometry->Bounds(u0, u1, v0, v1);
+            for (int i = 0; i <= 97; ++i)
+                for (int j = 0; j <= 101; ++j)
+                {
+                    const double x = u0 + (u1 - u0) * i / 97.0;
+                    const double y = v0 + (v1 - v0) * j / 101.0;
+                    const gp_Pnt exact = exact_offset_point(input.value().surface, offset.parameter_map->u.value(x),
+                                                            offset.parameter_map->v.value(y), distance);
+                    worst = std::max(worst, exact.Distance(offset.geometry->Value(x, y)));
+                }
+            EXPECT_LE(worst, *offset.certified_error + rounding);
+            PieglTillerOptions plain;
+            plain.removal_share = 0.0;
+            const Result<OffsetSurface> full =
+                piegl_tiller_offset(analysis.value(), input.value(), distance, tolerance, OffsetOptions(), plain);
+            ASSERT_TRUE(full.ok());
+            const auto poles = [](const OffsetSurface &s) {
+                const auto spline = Handle(Geom_BSplineSurface)::DownCast(s.geometry);
+                return spline->NbUPoles() * spline->NbVPoles();
+            };
+            fewer += poles(offset) < poles(full.value()) ? 1 : 0;
+        }
+    EXPECT_GE(fewer, 10) << "knot removal takes hardly any knots";
+}
+
+TEST(PieglTiller, RefusesOptionsOutOfRange)
+{
+    const Result<InputFace> input = read_face(whole(hills()));
+    const Result<SurfaceAnalysis> analysis = analyse(input.value(), 1.0, 1e-3);
+    PieglTillerOptions degree, exponent, shares;
+    degree.degree = 8;
+    exponent.exponent = 0.7;
+    shares.interpolation_share = 0.8;
+    for (const PieglTillerOptions &how : {degree, exponent, shares})
+    {
+        const auto made = piegl_tiller_offset(analysis.value(), input.value(), 1.0, 1e-3, OffsetOptions(), how);
+        ASSERT_FALSE(made.ok());
+        EXPECT_EQ(made.failure().status, Status::InvalidOption);
+        EXPECT_EQ(made.failure().stage, Stage::Options);
+    }
+}
+
+TEST(PieglTiller, ExponentOfChordsNeedsManyMorePoles)
+{
+    const Result<InputFace> input = read_face(whole(hills()));
+    const Result<SurfaceAnalysis> analysis = analyse(input.value(), 10.0, 1e-2);
+    PieglTillerOptions chords;
+    chords.exponent = 0.5;
+    chords.removal_share = 0.0;
+    PieglTillerOptions usual;
+    usual.removal_share = 0.0;
+    const auto poles = [&](const PieglTillerOptions &how) {
+        const auto made = piegl_tiller_offset(analysis.value(), input.value(), 10.0, 1e-2, OffsetOptions(), how);
+        const auto spline = Handle(Geom_BSplineSurface)::DownCast(made.value().geometry);
+        return spline->NbUPoles() * spline->NbVPoles();
+    };
+    EXPECT_GT(poles(chords), 5 * poles(usual));
+}
+
+TEST(SpaceCurve, IsProvenWhereFourSamplesAreNot)
+{
+    const Handle(Geom_Surface) surface = hills();
+    const std::optional<AnalyticSurface> form = AnalyticSurface::make(surface);
+    const CurveOnSurface c{surface, wavy_pcurve(), 0.0, 1.0};
+    const EdgeTarget target(c, &*form);
+    for (const double tolerance : {1.0, 1e-2, 1e-4, 1e-6})
+    {
+        SCOPED_TRACE(tolerance);
+        const auto proven = space_curve(target, tolerance);
+        ASSERT_TRUE(proven.has_value());
+        EXPECT_TRUE(proven->deviation.proven);
+        EXPECT_LE(proven->deviation.bound, tolerance);
+        const double seen = dense_deviation(proven->curve, c, 0.0);
+        EXPECT_LE(seen, proven->deviation.bound + rounding);
+        EXPECT_GE(seen, 0.01 * proven->deviation.bound) << "far too careful";
+        SpaceCurveOptions paper;
+        paper.check = PieceCheck::FourSamples;
+        const auto sampled = space_curve(target, tolerance, paper);
+        ASSERT_TRUE(sampled.has_value());
+        EXPECT_LE(dense_deviation(sampled->curve, c, 0.0), sampled->deviation.bound + rounding);
+    }
+}
+
+TEST(SpaceCurve, IsTheIsoparametricCurveItself)
+{
+    const Handle(Geom_Surface) surface = hills();
+    const std::optional<AnalyticSurface> form = AnalyticSurface::make(surface);
+    const Handle(Geom2d_Curve) line = new Geom2d_Line(gp_Pnt2d(0.35, 0.0), gp_Dir2d(0.0, 1.0));
+    const auto made = space_curve(EdgeTarget({surface, line, 0.1, 0.9}, &*form), 1e-6);
+    ASSERT_TRUE(made.has_value());
+    EXPECT_LE(made->deviation.bound, 1e-9);
+}
+
+TEST(OffsetTrimmingCurve, KeepsItsProvenBound)
+{
+    const Handle(Geom_Surface) surface = hills();
+    const std::optional<AnalyticSurface> form = AnalyticSurface::make(surface);
+    const BaseSurface base(surface, {0.0, 1.0, 0.0, 1.0});
+    const Handle(Geom2d_Curve) circle = new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(0.5, 0.5), gp_Dir2d(1.0, 0.0)), 0.3);
+    const Handle(Geom2d_Curve) along = new Geom2d_Line(gp_Pnt2d(0.0, 0.2), gp_Dir2d(1.0, 0.0)); // on a knot line
+    int compared = 0;
+    for (const CurveOnSurface &c :
+         {CurveOnSurface{surface, wavy_pcurve(), 0.0, 1.0}, CurveOnSurface{surface, circle, 0.0, 2.0 * M_PI},
+          CurveOnSurface{surface, along, 0.0, 1.0}})
+        for (const double distance : {-30.0, 0.5, 30.0, 300.0})
+            for (const double tolerance : {1e-1, 1e-3, 1e-5})
+            {
+                SCOPED_TRACE(testing::Message() << "distance " << distance << " tolerance " << tolerance);
+                const EdgeTarget target(c, &*form);
+                const auto made = offset_trimming_curve({target, base, distance}, tolerance);
+                ASSERT_TRUE(made.has_value());
+                EXPECT_TRUE(made->deviation.proven);
+                EXPECT_LE(made->deviation.bound, tolerance);
+                const double seen = dense_deviation(made->curve, c, distance);
+                EXPECT_LE(seen, made->deviation.bound + rounding);
+                ++compared;
+            }
+    EXPECT_EQ(compared, 36);
+}
+
+TEST(OffsetTrimmingCurve, ProofRefusesTheWrongSideAndAShiftedCurve)
+{
+    const Handle(Geom_Surface) surface = hills();
+    const std::optional<AnalyticSurface> form = AnalyticSurface::make(surface);
+    const BaseSurface base(surface, {0.0, 1.0, 0.0, 1.0});
+    const EdgeTarget target({surface, wavy_pcurve(), 0.0, 1.0}, &*form);
+    const auto made = offset_trimming_curve({target, base, 5.0}, 1e-4);
+    ASSERT_TRUE(made.has_value());
+    EXPECT_GE(offset_deviation({target, base, -5.0}, made->curve, 1e-4).bound, 9.9);
+    const auto moved = Handle(Geom_Curve)::DownCast(made->curve->Translated(gp_Vec(0.3, 0.0, 0.0)));
+    EXPECT_GE(offset_deviation({target, base, 5.0}, moved, 1e-4).bound, 0.29);
+}
+
+TEST(RaviKumar, OffsetsAPanelWithAHole)
+{
+    for (const TopoDS_Face &face : {panel_with_hole(), reversed(panel_with_hole()), located(panel_with_hole())})
+        for (const double distance : {5.0, -5.0, 40.0})
+        {
+            SCOPED_TRACE(distance);
+            const Result<OffsetResult> result = by_ravi_kumar(face, distance, 1e-2);
+            ASSERT_TRUE(result.ok()) << why(result);
+            const OffsetReport &report = result.value().report;
+            EXPECT_EQ(report.method, Method::RaviKumar);
+            ASSERT_TRUE(report.certified_error.has_value());
+            ASSERT_TRUE(report.edge_error.has_value());
+            EXPECT_LE(*report.edge_error, 1e-2);
+            OracleOptions how;
+            how.grid = 60;
+            const OracleReport seen = measure_offset(face, result.value().face(), distance, how);
+            EXPECT_GT(seen.points, 1000);
+            EXPECT_LE(seen.surface_error, *report.certified_error + rounding);
+            EXPECT_LE(seen.converse_error, *report.certified_error + rounding);
+            EXPECT_LE(seen.edge_error, *report.edge_error + rounding);
+            EXPECT_GT(seen.least_cosine, 0.999);
+            EXPECT_EQ(seen.untold_pcurve_error, 0.0);
+            EXPECT_EQ(seen.loops, 2);
+            EXPECT_EQ(seen.edges, 5);
+            EXPECT_TRUE(seen.valid);
+            EXPECT_TRUE(seen.orientation_kept);
+            EXPECT_TRUE(seen.same_parameter);
+        }
+}
+
+TEST(RaviKumar, TakesSpecialShapesAsTheyAre)
+{
+    const Result<OffsetResult> result = by_ravi_kumar(sphere_patch(100.0), 7.0, 1e-3);
+    ASSERT_TRUE(result.ok()) << why(result);
+    EXPECT_EQ(result.value().report.surface->type, "sphere");
+}
+
+TEST(RaviKumar, ClosesATube)
+{
+    const TopoDS_Face face = whole(wavy_tube(100.0));
+    for (const double distance : {4.0, -4.0})
+    {
+        const Result<OffsetResult> result = by_ravi_kumar(face, distance, 1e-2);
+        ASSERT_TRUE(result.ok()) << why(result);
+        EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), distance, {50, 60}), 1e-2));
+    }
+}
+
+TEST(RaviKumar, RefusesFoldsLikeTheOtherMethod)
+{
+    const Result<OffsetResult> result = by_ravi_kumar(panel_with_hole(), 5000.0, 1e-2);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.failure().status, Status::CurvatureLimit);
+    EXPECT_EQ(result.failure().stage, Stage::Analysis);
+}
+
+TEST(RaviKumar, OffsetsRealFuselages)
+{
+    int judged = 0;
+    for (const char *name : {"derived_D150_fuselage_2p3m_1hole_6curves.step", "tigl_D150_fuselage_nose_shell.brep"})
+    {
+        const auto file = find_data_file(name);
+        if (!file)
+            continue;
+        const TopoDS_Face face = read_faces(*file).front();
+        for (const double distance : {20.0, -20.0})
+        {
+            SCOPED_TRACE(testing::Message() << name << " " << distance);
+            const Result<OffsetResult> result = by_ravi_kumar(face, distance, 1e-1);
+            ASSERT_TRUE(result.ok()) << why(result);
+            OracleOptions how;
+            how.grid = 50;
+            const OracleReport seen = measure_offset(face, result.value().face(), distance, how);
+            EXPECT_GT(seen.points, 500);
+            EXPECT_LE(seen.surface_error, 0.1);
+            EXPECT_LE(seen.converse_error, 0.1);
+            EXPECT_LE(seen.edge_error, 0.1);
+            EXPECT_TRUE(seen.valid);
+            ++judged;
+        }
+    }
+    if (judged == 0)
+        GTEST_SKIP() << missing_data_message("fuselages");
+}
