@@ -380,10 +380,20 @@ TEST(RaviKumar, ClosesATube)
 
 TEST(RaviKumar, RefusesFoldsLikeTheOtherMethod)
 {
-    const Result<OffsetResult> result = by_ravi_kumar(panel_with_hole(), 5000.0, 1e-2);
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.failure().status, Status::CurvatureLimit);
-    EXPECT_EQ(result.failure().stage, Stage::Analysis);
+    int refused = 0;
+    for (const double distance : {-1000.0, 1000.0})
+    {
+        const Result<OffsetResult> usual = offset(panel_with_hole(), distance, 1e-2);
+        if (usual.ok() || usual.failure().status != Status::CurvatureLimit)
+            continue;
+        const Result<OffsetResult> result = by_ravi_kumar(panel_with_hole(), distance, 1e-2);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.failure().status, Status::CurvatureLimit);
+        EXPECT_EQ(result.failure().stage, Stage::Analysis);
+        EXPECT_TRUE(result.failure().where.has_value());
+        ++refused;
+    }
+    EXPECT_GE(refused, 1);
 }
 
 TEST(RaviKumar, OffsetsRealFuselages)

@@ -30,7 +30,7 @@ constexpr int most_poles = 20000;
 constexpr int checks_per_span = 5;
 constexpr int checks_without_proof = 24;
 // A pcurve that is no polynomial is replaced by one so near to it, as a part of the surface's range.
-constexpr double pcurve_accuracy = 1e-10;
+constexpr double pcurve_accuracy = 1e-12;
 
 Eigen::Vector3d vector(const gp_Vec &v) { return {v.X(), v.Y(), v.Z()}; }
 
