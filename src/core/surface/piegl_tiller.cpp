@@ -31,6 +31,8 @@ constexpr double least_step = 1e-3;
 // The map to chord length has at least so many pieces, to follow a parametrisation that is uneven inside a span.
 constexpr int least_intervals = 12;
 constexpr double all_knots_may_stay = 1.0;
+// A removal whose two directions add up to more than was asked for is repeated with half of it.
+constexpr int removal_attempts = 4;
 // Rectangles of the proof are mapped to the base's parameters with a margin above rounding.
 constexpr double map_margin = 1e-12;
 
@@ -344,8 +346,10 @@ private:
     {
         if (!(tolerance > 0.0))
             return spline;
-        const std::optional<ReducedSpline> light = reduced(spline, tolerance, all_knots_may_stay);
-        return light ? light->spline : spline;
+        for (int attempt = 0; attempt < removal_attempts; ++attempt, tolerance *= 0.5)
+            if (const auto light = reduced(spline, tolerance, all_knots_may_stay))
+                return light->spline;
+        return spline;
     }
 
     //! The largest deviation seen from the exact offset at places that belong together.
