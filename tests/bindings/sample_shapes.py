@@ -51,7 +51,7 @@ def trimmed_bspline_face() -> Any:
 
 def heavy_face() -> Any:
     """A face whose offset at a tight tolerance takes long enough to watch it."""
-    return bspline_face(count=25)
+    return bspline_face(count=48)
 
 
 def moved(face: Any) -> Any:

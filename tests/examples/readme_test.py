@@ -70,6 +70,8 @@ def test_command_line_example_runs(command, folder):
             assert face["status"] == "ok"
             if words[1] == "offset":
                 assert (face["loops"], face["edges"]) == (3, 9)
+            elif words[1] == "plies":
+                assert face["plies"] == len(face["stack"]) == 6 and face["certified_error"] <= face["tolerance"]
             else:
                 assert face["proven"] and face["negative"]["distance"] < 0
 
