@@ -92,8 +92,8 @@ private:
         const StackSurfaces &made = surfaces.value();
         if (!made.one_family)
             return own_edges(input.value(), analysis.value(), distances, made);
-        const FamilyEnds ends{surface_at(made, distances, distances.low), surface_at(made, distances, distances.high),
-                              distances.low, distances.high};
+        const FamilyEnds ends{made.at(distances, distances.low), made.at(distances, distances.high), distances.low,
+                              distances.high};
         const auto loops = loop_family(input.value(), analysis.value().base, ends, edge_share * m_options.tolerance);
         if (!loops)
             return loops.failure();
@@ -108,12 +108,6 @@ private:
         return all_faces(
             input.value(), analysis.value(), made,
             [&](std::size_t i) { return Result<TrimLoops>(family.at(distances.all[i])); }, check);
-    }
-
-    static const OffsetSurface &surface_at(const StackSurfaces &made, const StackDistances &distances, double distance)
-    {
-        const auto i = std::find(distances.all.begin(), distances.all.end(), distance) - distances.all.begin();
-        return made.surfaces[static_cast<std::size_t>(i)];
     }
 
     [[nodiscard]] OffsetOptions options_for_fit() const

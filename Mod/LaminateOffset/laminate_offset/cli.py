@@ -63,6 +63,17 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _add_input(parser: argparse.ArgumentParser) -> None:
+    source = "STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)"
+    parser.add_argument("input", metavar="INPUT", help=source)
+
+
+def _add_faces(parser: argparse.ArgumentParser) -> None:
+    _add_input(parser)
+    help_text = "face number from 1, or all"
+    parser.add_argument("--face", required=True, type=_face_number, metavar="N|all", help=help_text)
+
+
 def _add_offset_command(commands: Any) -> None:
     defaults = _core.default_options()
     parser = commands.add_parser(
@@ -74,8 +85,7 @@ def _add_offset_command(commands: Any) -> None:
     )
     parser.set_defaults(command=_offset)
     add = parser.add_argument
-    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
-    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    _add_faces(parser)
     add(
         "--distance",
         required=True,
@@ -123,8 +133,7 @@ def _add_limits_command(commands: Any) -> None:
     )
     parser.set_defaults(command=_limits)
     add = parser.add_argument
-    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
-    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    _add_faces(parser)
     add("--report", metavar="R.json", help="write the limits and their places as JSON")
 
 
@@ -137,7 +146,7 @@ def _add_plies_command(commands: Any) -> None:
     )
     parser.set_defaults(command=_plies)
     add = parser.add_argument
-    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
+    _add_input(parser)
     add("--face", required=True, type=_one_face_number, metavar="N", help="face number from 1")
     add("--layup", required=True, metavar="LAYUP", help="layup table (.csv) or document (.json, .yaml)")
     add(
@@ -171,8 +180,7 @@ def _add_extend_command(commands: Any) -> None:
     )
     parser.set_defaults(command=_extend)
     add = parser.add_argument
-    add("input", metavar="INPUT", help="STEP, IGES, BREP or FCStd file (there, the faces of its visible Part features)")
-    add("--face", required=True, type=_face_number, metavar="N|all", help="face number from 1, or all")
+    _add_faces(parser)
     add("--length", required=True, type=float, metavar="L", help="arc length of the extension in mm; above zero")
     add("--sides", default="all", metavar="S", help="all, or some of u-min,u-max,v-min,v-max (default: %(default)s)")
     add(

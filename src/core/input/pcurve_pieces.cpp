@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pcurve_pieces.h"
 
-#include "../spline/knot_vector.h"
+#include "../spline/geom_values.h"
 
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
@@ -95,9 +95,7 @@ bool add_control_points(const Geom2d_BSplineCurve &curve, const std::vector<doub
 {
     if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() || ends.back() > curve.LastParameter())
         return false;
-    KnotVector kv{curve.Degree(), {}};
-    for (int i = 1; i <= curve.NbKnots(); ++i)
-        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
+    const KnotVector kv = knots_of(curve);
     ControlPoints poles;
     for (int i = 1; i <= curve.NbPoles(); ++i)
         poles.push_back(curve.Weight(i) * Eigen::Vector3d(curve.Pole(i).X(), curve.Pole(i).Y(), 1.0));

@@ -13,6 +13,16 @@ namespace laminate_offset
 
 inline Eigen::Vector3d vector(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
 
+//! The knots of a Geom_BSplineCurve or Geom2d_BSplineCurve, each as often as it counts.
+template <class Curve> KnotVector knots_of(const Curve &curve)
+{
+    KnotVector kv;
+    kv.degree = curve.Degree();
+    for (int i = 1; i <= curve.NbKnots(); ++i)
+        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
+    return kv;
+}
+
 //! Cutting a periodic curve or surface may move its parameters by whole periods: back to [low, high].
 void realign(KnotVector &kv, double low, double high);
 

@@ -75,6 +75,12 @@ StackDistances::StackDistances(std::vector<double> distances) : all(std::move(di
     high = *largest;
 }
 
+const OffsetSurface &StackSurfaces::at(const StackDistances &distances, double distance) const
+{
+    const auto i = std::find(distances.all.begin(), distances.all.end(), distance) - distances.all.begin();
+    return surfaces[static_cast<std::size_t>(i)];
+}
+
 Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const InputFace &input,
                                      const StackDistances &distances, const OffsetOptions &options)
 {
@@ -90,9 +96,7 @@ Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const Inpu
     if (!made)
         return made;
     const auto clear = [&](double distance) {
-        const auto i = std::find(distances.all.begin(), distances.all.end(), distance) - distances.all.begin();
-        return check_meetings(analysis, input, made.value().surfaces[static_cast<std::size_t>(i)], distance,
-                              options.tolerance);
+        return check_meetings(analysis, input, made.value().at(distances, distance), distance, options.tolerance);
     };
     if (const Result<bool> passed = at_ends(distances, clear); !passed)
         return passed.failure();

@@ -26,6 +26,9 @@ struct StackSurfaces
 {
     std::vector<OffsetSurface> surfaces; //!< in the order of the distances
     bool one_family = false;
+
+    //! That of one of the distances.
+    [[nodiscard]] const OffsetSurface &at(const StackDistances &distances, double distance) const;
 };
 
 //! Refusals: CurvatureLimit, SelfIntersection, for the distance that is out of reach; those of fit_offset_family.

@@ -114,11 +114,7 @@ template <class Spline> std::optional<AnalyticCurve> spline(const Spline &source
         return std::nullopt;
     if (copy->Multiplicity(1) != copy->Degree() + 1 || copy->Multiplicity(copy->NbKnots()) != copy->Degree() + 1)
         copy->Segment(low, high);
-    KnotVector kv;
-    kv.degree = copy->Degree();
-    for (int i = 1; i <= copy->NbKnots(); ++i)
-        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(copy->Multiplicity(i)), copy->Knot(i));
-    return AnalyticCurve(std::move(kv), homogeneous_poles(*copy), copy->IsRational());
+    return AnalyticCurve(knots_of(*copy), homogeneous_poles(*copy), copy->IsRational());
 }
 
 template <class Adaptor> std::optional<AnalyticCurve> curve_of(const Adaptor &adaptor, double first, double last)
@@ -343,6 +339,17 @@ std::optional<AnalyticCurve> AnalyticCurve::make(const Handle(Geom_Curve) & curv
 std::optional<AnalyticCurve> AnalyticCurve::make(const Handle(Geom2d_Curve) & curve, double first, double last)
 {
     return curve_of(Geom2dAdaptor_Curve(curve), first, last);
+}
+
+std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last)
+{
+    std::vector<double> ends{first, last};
+    for (const AnalyticCurve *curve : {&a, &b})
+        for (const double t : curve->breaks())
+            if (t > first && t < last)
+                ends.push_back(t);
+    std::sort(ends.begin(), ends.end());
+    return ends;
 }
 
 } // namespace laminate_offset

@@ -118,4 +118,7 @@ private:
     Eigen::Vector3d m_a2 = Eigen::Vector3d::Zero();
 };
 
+//! The range [first, last] cut where one of the two is no longer the same analytic function; increasing, with both ends.
+std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last);
+
 } // namespace laminate_offset

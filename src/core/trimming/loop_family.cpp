@@ -22,15 +22,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Roundings of the combination of two poles, with a margin.
 constexpr double rounding_operations = 8.0;
 
-KnotVector knots_of(const Geom_BSplineCurve &curve)
-{
-    KnotVector kv;
-    kv.degree = curve.Degree();
-    for (int i = 1; i <= curve.NbKnots(); ++i)
-        kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
-    return kv;
-}
-
 bool clamped(const Geom_BSplineCurve &curve)
 {
     return !curve.IsPeriodic() && curve.Multiplicity(1) == curve.Degree() + 1 &&

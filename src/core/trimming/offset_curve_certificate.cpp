@@ -48,12 +48,7 @@ public:
 
     [[nodiscard]] double prove()
     {
-        std::vector<double> ends{m_proof.first, m_proof.last};
-        for (const AnalyticCurve *curve : {&m_proof.pcurve, &m_proof.curve})
-            for (const double t : curve->breaks())
-                if (t > m_proof.first && t < m_proof.last)
-                    ends.push_back(t);
-        std::sort(ends.begin(), ends.end());
+        const std::vector<double> ends = analytic_ends(m_proof.pcurve, m_proof.curve, m_proof.first, m_proof.last);
         double worst = 0.0;
         for (std::size_t i = 0; i + 1 < ends.size() && worst < infinity; ++i)
             if (ends[i + 1] > ends[i])
