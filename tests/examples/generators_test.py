@@ -13,6 +13,9 @@ sys.path.insert(0, str(EXAMPLES / "generators"))
 
 import naca_wing_skin  # noqa: E402
 import panel_two_holes  # noqa: E402
+import table1_duct  # noqa: E402
+import table1_fairing  # noqa: E402
+import table1_rib  # noqa: E402
 import trimmed_face  # noqa: E402
 import wigley_hull  # noqa: E402
 
@@ -22,6 +25,9 @@ import Part  # noqa: E402  (trimmed_face has found FreeCAD's libraries)
 EXPECTED = {
     "naca_wing_skin": (2, 6, (3, 3), (14, 6)),
     "panel_two_holes": (3, 9, (3, 3), (9, 7)),
+    "table1_duct": (2, 6, (3, 3), (9, 10)),
+    "table1_fairing": (3, 9, (3, 3), (11, 8)),
+    "table1_rib": (3, 24, (1, 1), (2, 2)),
     "wigley_hull": (2, 6, (2, 2), (3, 3)),
 }
 
@@ -99,6 +105,9 @@ def largest_departure(surface, formula) -> float:
     [
         ("naca_wing_skin", naca_wing_skin.skin, 0.1),
         ("panel_two_holes", panel_two_holes.barrel, 0.1),
+        ("table1_duct", table1_duct.duct, 0.1),
+        ("table1_fairing", table1_fairing.fairing, 0.1),
+        ("table1_rib", table1_rib.plane, 1e-9),
         ("wigley_hull", wigley_hull.hull, 1e-9),
     ],
 )
@@ -116,11 +125,26 @@ def principal_curvatures(face) -> np.ndarray:
     return sign * np.array(values)
 
 
-def test_panel_has_the_size_of_the_papers_first_example_and_can_be_offset_by_a_tenth_of_it():
-    face = stored("panel_two_holes")
-    assert face.optimalBoundingBox().DiagonalLength == pytest.approx(3430.0, abs=60.0)
-    for distance in (343.0, -343.0):
+@pytest.mark.parametrize(
+    "name, diagonal, slack",
+    [
+        ("panel_two_holes", 3430.0, 60.0),
+        ("table1_fairing", 3430.0, 2.0),
+        ("table1_duct", 2270.0, 2.0),
+        ("table1_rib", 1040.0, 2.0),
+    ],
+)
+def test_faces_of_the_papers_table_have_its_sizes_and_can_be_offset_by_a_tenth_of_them(name, diagonal, slack):
+    face = stored(name)
+    assert face.optimalBoundingBox().DiagonalLength == pytest.approx(diagonal, abs=slack)
+    for distance in (0.1 * diagonal, -0.1 * diagonal):
         assert (1.0 - distance * principal_curvatures(face)).min() > 0.5
+
+
+def test_free_form_faces_of_the_papers_table_are_doubly_curved():
+    fairing, duct = (np.prod(principal_curvatures(stored(name)), axis=1) for name in ("table1_fairing", "table1_duct"))
+    assert fairing.min() < -1e-7 and fairing.max() > 1e-7, "parts like a saddle and parts like a dome"
+    assert duct.min() > 1e-7
 
 
 def test_wing_skin_keeps_clear_of_the_nose():
