@@ -51,9 +51,11 @@ def test_the_package_is_typed() -> None:
     assert (PACKAGE / "py.typed").is_file()
     pytest.importorskip("mypy", reason="mypy is not installed")
     modules = [
-        PACKAGE / f"{name}.py" for name in "__init__ _freecad api cli errors exchange files replacing report".split()
+        PACKAGE / f"{name}.py"
+        for name in "__init__ _freecad api cli each_face errors exchange files replacing report".split()
     ]
-    modules += sorted((PACKAGE / "layup").glob("*.py"))
+    for folder in ("batch", "commands", "layup"):
+        modules += sorted((PACKAGE / folder).glob("*.py"))
     command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--follow-imports=silent"]
     command += ["--cache-dir=/dev/null", "--config-file=", *map(str, modules)]
     run = subprocess.run(command, capture_output=True, text=True, cwd=PACKAGE.parent)
