@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What README promises runs as it stands there."""
 
+import csv
 import json
 import re
 import shlex
@@ -62,7 +63,10 @@ def test_command_line_example_runs(command, folder):
     assert done.returncode == 0, done.stdout
     written = {option: folder / words[words.index(option) + 1] for option in ("-o", "--report") if option in words}
     assert written, "an example shows its result in a file"
-    if "-o" in written:
+    if words[1] == "batch":
+        with open(written["-o"] / "summary.csv", encoding="utf-8", newline="") as stream:
+            assert [row["state"] for row in csv.DictReader(stream)] == ["done"] * 3
+    elif "-o" in written:
         assert written["-o"].stat().st_size > 1000
     if "--report" in written:
         report = json.loads(written["--report"].read_text(encoding="utf-8"))

@@ -2,7 +2,7 @@
 """The command line laminate-offset; each of its commands is a file in `commands`.
 
 Exit codes: 0 done; 1 a face was refused or failed (reasons on stderr and in the report); 2 bad usage, unreadable input
-or unwritable output; 130 cancelled with Ctrl-C, nothing written.
+or unwritable output; 130 cancelled with Ctrl-C, nothing written; a batch keeps what is done.
 """
 
 import argparse
@@ -10,7 +10,7 @@ import sys
 from typing import List, Optional, TextIO
 
 from . import __version__
-from .commands import BAD_USAGE, CANCELLED, extend, limits, offset, plies
+from .commands import BAD_USAGE, CANCELLED, batch, extend, limits, offset, plies
 from .lines import take_over
 from .replacing import FileError
 
@@ -47,7 +47,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"laminate-offset {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (offset, limits, plies, extend):
+    for command in (offset, limits, plies, extend, batch):
         command.add_to(commands)
     return parser
 

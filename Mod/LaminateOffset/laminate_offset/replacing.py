@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes a file in one step, so that there is never half a file. Needs nothing of FreeCAD."""
 
+import glob
 import os
 import shutil
 import tempfile
 from contextlib import contextmanager
 from typing import Iterator
+
+
+# Begins the names of the folders that files are written in, followed by the number of the process.
+PREFIX = ".laminate-offset-"
 
 
 class FileError(Exception):
@@ -21,7 +26,7 @@ def replacing(path: str) -> Iterator[str]:
     """
     target = os.path.realpath(path)
     try:
-        folder = tempfile.mkdtemp(prefix=".laminate-offset-", dir=os.path.dirname(target))
+        folder = tempfile.mkdtemp(prefix=f"{PREFIX}{os.getpid()}-", dir=os.path.dirname(target))
     except OSError as error:
         raise FileError(f"{path}: cannot be written: {error.strerror}.") from error
     try:
@@ -34,3 +39,21 @@ def replacing(path: str) -> Iterator[str]:
         raise FileError(f"{path}: cannot be written: {error}") from error
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def remove_leftovers(folder: str) -> None:
+    """Removes what processes that were killed while they wrote a file into this folder have left behind."""
+    for leftover in glob.glob(os.path.join(glob.escape(folder), f"{PREFIX}*-*")):
+        process = os.path.basename(leftover)[len(PREFIX) :].split("-")[0]
+        if process.isdigit() and not _lives(int(process)):
+            shutil.rmtree(leftover, ignore_errors=True)
+
+
+def _lives(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True

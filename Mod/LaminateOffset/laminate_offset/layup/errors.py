@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The one exception for a layup that is not right, with every problem that was found."""
+"""The exceptions for layups and other tables that are not right, with every problem that was found."""
 
 from dataclasses import dataclass
 from typing import Optional, Sequence, Tuple
@@ -35,8 +35,8 @@ class Problem:
         return f"{place + ': ' if place else ''}found {self.found}, expected {self.expected}"
 
 
-class LayupError(ValueError):
-    """A layup, or its file, that is not right.
+class ProblemsError(ValueError):
+    """Something with problems in it; the base of LayupError.
 
     The message names the source and, for every problem, the place, what was found and what is expected.
 
@@ -55,6 +55,17 @@ class LayupError(ValueError):
             return f"{self.source}: {self.problems[0]}."
         lines = [f"{self.source}: {len(self.problems)} problems."]
         return "\n".join(lines + [f"  {problem}." for problem in self.problems])
+
+
+class LayupError(ProblemsError):
+    """A layup, or its file, that is not right.
+
+    The message names the source and, for every problem, the place, what was found and what is expected.
+
+    Attributes:
+        source: the file, or the text or object where there is none.
+        problems: every Problem that was found, in the order of their places.
+    """
 
 
 def quoted(value: object) -> str:

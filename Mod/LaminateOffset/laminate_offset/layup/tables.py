@@ -57,8 +57,8 @@ def read_table(text: str, source: str, known: Mapping[str, Material]) -> Layup:
         source: what messages call it.
         known: the materials by their names; the layup gets those that its plies name.
     """
-    delimiter = _delimiter(text)
-    rows = _rows(text, source, delimiter)
+    delimiter = delimiter_of(text)
+    rows = rows_of(text, source, delimiter)
     if not rows:
         raise LayupError(source, [Problem("", "nothing", f"a header row: {','.join(PLAIN_REQUIRED)},...", 1)])
     header = _header(rows[0][1], source)
@@ -118,13 +118,13 @@ def _limit_columns(layup: Layup) -> Tuple[str, ...]:
     return next((columns for columns in (GRID_COLUMNS, SLENDER_COLUMNS) if named <= set(columns)), ())
 
 
-def _delimiter(text: str) -> str:
+def delimiter_of(text: str) -> str:
     """The separator that the first line with anything in it has most of; a comma where it has none."""
     first = next((line for line in text.splitlines() if line.strip(" \t,;")), "")
     return max(",;\t", key=first.count)
 
 
-def _rows(text: str, source: str, delimiter: str) -> List[Tuple[int, List[str]]]:
+def rows_of(text: str, source: str, delimiter: str) -> List[Tuple[int, List[str]]]:
     """(row number as a spreadsheet shows it, cells without space around) of every row that is not empty."""
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     rows = []
