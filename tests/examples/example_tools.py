@@ -12,11 +12,19 @@ EXAMPLES = ROOT / "resources" / "examples"
 BUILD = Path(os.environ.get("LAMINATE_OFFSET_BUILD_DIR", ROOT / "build" / "release"))
 
 
-def run(command: List[str], folder: Path, variables: Optional[Dict[str, str]] = None) -> "subprocess.CompletedProcess":
+def run(
+    command: List[str], folder: Path, variables: Optional[Dict[str, str]] = None, timeout: int = 280
+) -> "subprocess.CompletedProcess":
     """Runs a command in a folder; returns the completed process with its output as text."""
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", **(variables or {}))
     return subprocess.run(
-        command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=280
+        command,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        timeout=timeout,
     )
 
 
