@@ -2,12 +2,15 @@
 //! \file
 //! The extension module laminate_offset._core. It holds no policy: the package around it converts
 //! units, chooses the way of shape exchange and documents the interface.
+#include "evaluate_face_binding.h"
 #include "extend_face_binding.h"
+#include "face_integrals_binding.h"
 #include "nearest_point_binding.h"
 #include "offset_face_binding.h"
 #include "offset_limits_binding.h"
 #include "offset_options_binding.h"
 #include "offset_stack_binding.h"
+#include "ply_solids_binding.h"
 #include "project_curve_binding.h"
 #include "shape_exchange.h"
 
@@ -50,4 +53,7 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_nearest_point(module);
     laminate_offset::python::bind_project_curve(module);
     laminate_offset::python::bind_offset_stack(module);
+    laminate_offset::python::bind_face_integrals(module);
+    laminate_offset::python::bind_ply_solids(module);
+    laminate_offset::python::bind_evaluate_face(module);
 }

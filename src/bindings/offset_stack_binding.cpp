@@ -23,21 +23,22 @@ namespace
 {
 
 Result<StackResult> run_without_gil(const TopoDS_Shape &base, const std::vector<double> &distances,
-                                    OffsetOptions options, PythonProgress &progress)
+                                    OffsetOptions options, StackFit fit, PythonProgress &progress)
 {
     const py::gil_scoped_release release;
     options.progress = [&progress](double fraction) { return progress.report(fraction); };
-    return offset_stack(base, distances, options);
+    return offset_stack(base, distances, options, fit);
 }
 
 py::tuple offset_stack_for_python(const py::object &shape, const std::vector<double> &distances, double tolerance,
-                                  std::optional<int> max_degree, py::object callback)
+                                  std::optional<int> max_degree, bool each, py::object callback)
 {
     const OffsetOptions options =
         make_options(0.0, tolerance, std::string(name(Method::SameParameter)), 0.0, max_degree);
     const TopoDS_Shape base = from_part(shape, selected_exchange());
     PythonProgress progress(std::move(callback));
-    const Result<StackResult> result = run_without_gil(detached(base), distances, options, progress);
+    const Result<StackResult> result =
+        run_without_gil(detached(base), distances, options, each ? StackFit::Each : StackFit::Shared, progress);
     progress.rethrow();
     if (!result)
         raise(result.failure(), options);
@@ -52,12 +53,14 @@ py::tuple offset_stack_for_python(const py::object &shape, const std::vector<dou
 void bind_offset_stack(py::module_ &module)
 {
     const OffsetOptions defaults;
-    module.def(
-        "offset_stack", &offset_stack_for_python, py::arg("shape"), py::arg("distances"),
-        py::arg("tolerance") = defaults.tolerance, py::arg("max_degree") = py::none(), py::arg("progress") = py::none(),
-        "Offsets one Part.Face by many distances in mm along its outward normal, from one fit. Returns a list of "
-        "(shape, report) in the order of the distances, whether they are one family, and the time in ms; or "
-        "raises OffsetError, ValueError or TypeError.");
+    module.def("offset_stack", &offset_stack_for_python, py::arg("shape"), py::arg("distances"),
+               py::arg("tolerance") = defaults.tolerance, py::arg("max_degree") = py::none(), py::arg("each") = false,
+               py::arg("progress") = py::none(),
+               "Offsets one Part.Face by many distances in mm along its outward normal, from one fit, or each from a "
+               "fit of its own. "
+               "Returns a list of "
+               "(shape, report) in the order of the distances, whether they are one family, and the time in ms; or "
+               "raises OffsetError, ValueError or TypeError.");
 }
 
 } // namespace laminate_offset::python

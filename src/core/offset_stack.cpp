@@ -30,8 +30,9 @@ constexpr double fit_share = 0.3;
 class StackPipeline
 {
 public:
-    StackPipeline(const TopoDS_Shape &shape, const std::vector<double> &distances, const OffsetOptions &options)
-        : m_shape(shape), m_distances(distances), m_options(options)
+    StackPipeline(const TopoDS_Shape &shape, const std::vector<double> &distances, const OffsetOptions &options,
+                  StackFit fit)
+        : m_shape(shape), m_distances(distances), m_options(options), m_fit(fit)
     {
     }
 
@@ -86,7 +87,7 @@ private:
         if (!analysis)
             return analysis.failure().status == Status::KinkedSurface ? one_by_one() : analysis.failure();
         const Result<StackSurfaces> surfaces =
-            stack_surfaces(analysis.value(), input.value(), distances, options_for_fit());
+            stack_surfaces(analysis.value(), input.value(), distances, options_for_fit(), m_fit);
         if (!surfaces)
             return surfaces.failure();
         const StackSurfaces &made = surfaces.value();
@@ -210,14 +211,15 @@ private:
     const TopoDS_Shape &m_shape;
     const std::vector<double> &m_distances;
     const OffsetOptions &m_options;
+    StackFit m_fit;
 };
 
 } // namespace
 
 Result<StackResult> offset_stack(const TopoDS_Shape &shape, const std::vector<double> &distances,
-                                 const OffsetOptions &options)
+                                 const OffsetOptions &options, StackFit fit)
 {
-    return StackPipeline(shape, distances, options).run();
+    return StackPipeline(shape, distances, options, fit).run();
 }
 
 } // namespace laminate_offset

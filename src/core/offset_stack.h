@@ -4,6 +4,7 @@
 #pragma once
 
 #include "offset_face.h"
+#include "stack/stack_fit.h"
 
 #include <vector>
 
@@ -26,9 +27,11 @@ struct StackResult
 //! distance (the apex of a cone), is offset distance by distance.
 //!
 //! \param distances finite, at least one, in any order; both signs and zero are welcome. options.distance is not used.
+//! \param fit Each: every surface that has to be fitted gets the fewest poles for its own distance, with a proof of its
+//! own, instead of one family; the time is that of as many single offsets.
 //! \return the stack, or the first refusal; nothing is made in part.
 //! Refusals: those of offset_face; InvalidDistance, InvalidOption for no distance at all.
 Result<StackResult> offset_stack(const TopoDS_Shape &shape, const std::vector<double> &distances,
-                                 const OffsetOptions &options);
+                                 const OffsetOptions &options, StackFit fit = StackFit::Shared);
 
 } // namespace laminate_offset

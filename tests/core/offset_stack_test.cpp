@@ -162,6 +162,29 @@ TEST(OffsetStack, TheNumberOfThreadsChangesNothing)
     }
 }
 
+TEST(OffsetStack, EachSurfaceByItselfHasNoMorePolesThanTheFamily)
+{
+    const std::vector<double> distances{0.0, 0.125, 0.5, 2.0, 8.0};
+    const Result<StackResult> family = stack(panel_with_hole(), distances);
+    OffsetOptions options;
+    options.tolerance = 1e-3;
+    const Result<StackResult> each = offset_stack(panel_with_hole(), distances, options, StackFit::Each);
+    ASSERT_TRUE(family) << why(family);
+    ASSERT_TRUE(each) << why(each);
+    EXPECT_FALSE(each.value().one_fit);
+    expect_right(panel_with_hole(), distances, each.value(), options.tolerance);
+    int fewer = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i)
+    {
+        const auto poles = [&](const StackResult &made) {
+            return made.surfaces[i].report.surface->poles_u * made.surfaces[i].report.surface->poles_v;
+        };
+        EXPECT_LE(poles(each.value()), poles(family.value())) << distances[i];
+        fewer += poles(each.value()) < poles(family.value()) ? 1 : 0;
+    }
+    EXPECT_GE(fewer, 2);
+}
+
 TEST(OffsetStack, TwoHundredPliesOnARealNose)
 {
     const std::string name = "derived_D150_fuselage_2p3m_1hole_6curves.step";

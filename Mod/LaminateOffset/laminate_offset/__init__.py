@@ -36,6 +36,7 @@ from .api import (
     offset_limits,
     project_curve,
 )
+from .core_sample import CoreLayer, CoreSample
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
 from .layup import (
@@ -49,19 +50,26 @@ from .layup import (
     read_layup,
     read_material,
 )
+from .mass_properties import MassProperties, MaterialTotal, PlyProperties
 from .report import ExtensionReport, OffsetReport
-from .stack import PlyStack, StackPly, stack_plies
+from .rosette import Rosette
+from .stack import MaterialSolid, PlyStack, StackPly, stack_plies
 
 select_at_import()
 
 __version__: str = _core.__version__
 __all__ = [
+    "CoreLayer",
+    "CoreSample",
     "CurveProjection",
     "ExtensionReport",
     "ExtensionResult",
     "Layup",
     "LayupError",
+    "MassProperties",
     "Material",
+    "MaterialSolid",
+    "MaterialTotal",
     "NearestPoints",
     "OffsetError",
     "OffsetLimits",
@@ -69,7 +77,9 @@ __all__ = [
     "OffsetResult",
     "PhysicalPly",
     "Ply",
+    "PlyProperties",
     "PlyStack",
+    "Rosette",
     "StackPly",
     "extend_face",
     "layup_from_notation",

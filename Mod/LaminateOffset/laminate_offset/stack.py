@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ply stacks: the surfaces of all plies of a layup on one face, from one fit."""
+"""Ply stacks: the surfaces, solids and figures of all plies of a layup on one face, from one fit."""
 
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import groupby
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
+import FreeCAD
+import numpy
 import Part
 
 from . import _core
 from .api import Length, Progress, millimetres
+from .core_sample import CoreSample, core_samples, line_points, stack_thickness
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
+from .mass_properties import MassProperties, PlyProperties, measure
 from .report import OffsetReport
+from .rosette import Rosette, fibre_directions
 
 SURFACES = ("bottom", "middle", "top")
 
@@ -26,6 +33,7 @@ class StackPly:
         top_face: its side away from the tool; the next ply's bottom_face is the same surface.
         face: the surface that was asked for: the bottom, the middle or the top one.
         report: the OffsetReport of `face`.
+        base_face: the part of the lay-up face that the ply covers.
     """
 
     ply: PhysicalPly
@@ -33,6 +41,66 @@ class StackPly:
     top_face: "Part.Face"
     face: "Part.Face"
     report: OffsetReport
+    base_face: "Part.Face"
+    _stack: "Optional[PlyStack]" = field(default=None, repr=False, compare=False)
+
+    @property
+    def solid(self) -> "Part.Solid":
+        """The ply as a valid, closed solid; neighbours' solids share the face between them. Made when first asked for,
+        those of all plies at once. Raises OffsetError where a side has no surface."""
+        return self._owner().ply_solids()[self.ply.number - 1]
+
+    @property
+    def properties(self) -> PlyProperties:
+        """Area, volume, mass and centre of gravity; see PlyProperties."""
+        return self._owner().mass_properties().plies[self.ply.number - 1]
+
+    @property
+    def area(self) -> float:
+        """Of the ply's true middle surface, in mm2."""
+        return self.properties.area
+
+    @property
+    def volume(self) -> float:
+        """Between bottom and top, in mm3."""
+        return self.properties.volume
+
+    @property
+    def mass(self) -> Optional[float]:
+        """In kg; None where neither density nor areal weight of the material is known."""
+        return self.properties.mass
+
+    @property
+    def center(self) -> "FreeCAD.Vector":
+        """Centre of gravity, in mm."""
+        return self.properties.center
+
+    def levels(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
+        """The signed distances in mm of bottom and top from the lay-up face at parameters (n, 2), as two arrays (n,);
+        NaN where the ply is not."""
+        _, _, inside = _core.evaluate_face(self.base_face, numpy.asarray(uv, dtype=float))
+        bottom = numpy.where(inside, self.ply.bottom, numpy.nan)
+        return bottom, numpy.where(inside, self.ply.top, numpy.nan)
+
+    def _owner(self) -> "PlyStack":
+        if self._stack is None:
+            raise ValueError("This ply belongs to no stack; take it from the .plies of a PlyStack.")
+        return self._stack
+
+
+@dataclass(frozen=True)
+class MaterialSolid:
+    """Plies of one material that follow each other, as one solid.
+
+    Attributes:
+        material: its name.
+        plies: the StackPlys, from the tool outwards.
+        solid: a Part.Solid, from the first ply's bottom to the last ply's top.
+    """
+
+    material: str
+    plies: Tuple[StackPly, ...]
+    solid: "Part.Solid"
 
 
 class PlyStack:
@@ -44,12 +112,14 @@ class PlyStack:
         report: the figures of the whole stack as a dict: plies, thickness, tolerance, the largest certified_error and
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
             knots and trimming curves) and elapsed_ms.
+        base_face: the lay-up face.
     """
 
-    def __init__(self, layup: Layup, plies: Sequence[StackPly], report: Dict[str, Any]) -> None:
+    def __init__(self, layup: Layup, plies: Sequence[StackPly], report: Dict[str, Any], base_face: "Part.Face") -> None:
         self.layup = layup
-        self.plies: Tuple[StackPly, ...] = tuple(plies)
+        self.plies: Tuple[StackPly, ...] = tuple(replace(ply, _stack=self) for ply in plies)
         self.report = report
+        self.base_face = base_face
 
     @property
     def bottom_face(self) -> "Part.Face":
@@ -61,9 +131,88 @@ class PlyStack:
         """The last ply's side away from the tool."""
         return self.plies[-1].top_face
 
-    def to_shape(self) -> "Part.Compound":
-        """A compound of the plies' faces, from the tool outwards."""
-        return Part.makeCompound([ply.face for ply in self.plies])
+    def to_shape(self, solids: bool = False) -> "Part.Compound":
+        """A compound of the plies' faces, or of their solids, from the tool outwards."""
+        return Part.makeCompound(self.ply_solids() if solids else [ply.face for ply in self.plies])
+
+    def ply_solids(self) -> "Tuple[Part.Solid, ...]":
+        """The plies as valid, closed solids, from the tool outwards; neighbours share the face between them, so there is
+        no gap. Raises OffsetError where a side has no surface."""
+        return self._ply_solids
+
+    def material_solids(self) -> Tuple[MaterialSolid, ...]:
+        """Neighbouring plies of one material as one solid each, from the tool outwards. Raises as ply_solids does."""
+        runs = [tuple(run) for _, run in groupby(self.plies, key=lambda ply: ply.ply.ply.material)]
+        solids = self._solids([(run[0], run[-1]) for run in runs])
+        return tuple(MaterialSolid(run[0].ply.ply.material, run, solid) for run, solid in zip(runs, solids))
+
+    def laminate_solid(self) -> "Part.Solid":
+        """The whole laminate as one solid, from the first ply's bottom to the last ply's top. Raises as ply_solids
+        does."""
+        return self._solids([(self.plies[0], self.plies[-1])])[0]
+
+    def mass_properties(self) -> MassProperties:
+        """Areas, volumes, masses and centres of gravity of the plies, the materials and the whole stack. They come from
+        integrals over the lay-up face, not from a mesh; computed when first asked for."""
+        return self._mass_properties
+
+    def fibre_directions(self, ply: Union[int, StackPly], uv: Any, axes: Rosette) -> "numpy.ndarray[Any, Any]":
+        """The unit vectors along the fibres of a ply (of a fabric, the warp).
+
+        Args:
+            ply: a StackPly, or its number from 1.
+            uv: array (n, 2) of parameters of the lay-up face, which are those of every ply's surface too.
+            axes: the Rosette that the ply's angle refers to; it says how the axes are transferred.
+
+        Returns:
+            array (n, 3), tangent to the ply.
+
+        Raises:
+            ValueError: the rosette's first axis stands on the surface at one of the places.
+        """
+        number = ply.ply.number if isinstance(ply, StackPly) else ply
+        if not 1 <= number <= len(self.plies):
+            raise ValueError(f"The stack has plies 1 to {len(self.plies)}; there is no ply {number}.")
+        return fibre_directions(self.base_face, uv, axes, self.plies[number - 1].ply.ply.angle)
+
+    def thickness(self, places: Any) -> "numpy.ndarray[Any, Any]":
+        """The thickness of all plies in mm at places of the lay-up face, 0 beside it.
+
+        Args:
+            places: array (n, 2) of parameters, or (n, 3) of points in mm, each of which stands for the nearest point of
+                the face's surface.
+
+        Returns:
+            array (n,).
+        """
+        return stack_thickness(self, places)
+
+    def core_sample(self, point: Any) -> CoreSample:
+        """Which plies lie along the normal through the point of the lay-up face nearest to `point` (x, y, z in mm), and
+        from where to where."""
+        return core_samples(self, [tuple(point)])[0]
+
+    def core_sample_line(self, start: Any, end: Any, count: int) -> List[CoreSample]:
+        """The core samples at `count` points at equal steps from `start` to `end`, both included (x, y, z in mm)."""
+        return core_samples(self, line_points(start, end, count))
+
+    @cached_property
+    def _ply_solids(self) -> "Tuple[Part.Solid, ...]":
+        return self._solids([(ply, ply) for ply in self.plies])
+
+    @cached_property
+    def _mass_properties(self) -> MassProperties:
+        return measure(self.layup, [(ply.ply, ply.base_face) for ply in self.plies])
+
+    def _solids(self, runs: Sequence[Tuple[StackPly, StackPly]]) -> "Tuple[Part.Solid, ...]":
+        """The solids from the first ply's bottom to the last ply's top of every run, all made at once."""
+        faces: Dict[float, Any] = {}
+        for ply in self.plies:
+            faces.setdefault(ply.ply.bottom, ply.bottom_face)
+            faces.setdefault(ply.ply.top, ply.top_face)
+        index = {distance: i for i, distance in enumerate(faces)}
+        ends = [sorted((first.ply.bottom, last.ply.top)) for first, last in runs]
+        return tuple(_core.ply_solids(list(faces.values()), [(index[low], index[high]) for low, high in ends]))
 
     def summary(self) -> str:
         """One line for a person: plies, thickness and the proven error."""
@@ -101,6 +250,8 @@ def stack_plies(
     surface: str = "top",
     max_degree: Optional[int] = None,
     progress: Optional[Progress] = None,
+    solids: bool = False,
+    reduce: bool = False,
 ) -> PlyStack:
     """Lay the plies of a layup on a trimmed face.
 
@@ -115,9 +266,13 @@ def stack_plies(
         surface: which surface of every ply is its .face: "bottom" (towards the tool), "middle" or "top".
         max_degree: highest degree of the fitted surfaces, from 3 to 7; None leaves the choice to the engine.
         progress: called from time to time with a fraction from 0 to 1; returning False cancels.
+        solids: makes the plies' solids at once, so that one that cannot be made is refused here; they are made when
+            first asked for otherwise.
+        reduce: fits every surface on its own, with the fewest poles that its distance needs and a proof of its own;
+            takes a fit for every ply.
 
     Returns:
-        PlyStack with .plies[i].face and .report, .top_face, .report, .to_shape().
+        PlyStack with .plies[i].face, .solid and .report, .top_face, .report, .to_shape(), .mass_properties().
 
     Raises:
         LayupError: the layup is wrong, has no active ply, or a ply has a boundary: plies here cover the whole face.
@@ -130,16 +285,18 @@ def stack_plies(
     plies = _whole_plies(layup)
     levels, distances = _levels(plies, surface)
     made, one_fit, elapsed = _core.offset_stack(
-        face, distances, millimetres(tolerance, "tolerance"), max_degree, progress
+        face, distances, millimetres(tolerance, "tolerance"), max_degree, reduce, progress
     )
     surfaces = {distance: (shape, OffsetReport(report)) for distance, (shape, report) in zip(distances, made)}
     stacked = [
-        StackPly(ply, surfaces[ply.bottom][0], surfaces[ply.top][0], *surfaces[level])
+        StackPly(ply, surfaces[ply.bottom][0], surfaces[ply.top][0], *surfaces[level], face)
         for ply, level in zip(plies, levels)
     ]
-    return PlyStack(
-        layup, stacked, _stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
-    )
+    report = _stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
+    stack = PlyStack(layup, stacked, report, face)
+    if solids:
+        stack.ply_solids()
+    return stack
 
 
 def _read(layup: Union[Layup, str]) -> Layup:

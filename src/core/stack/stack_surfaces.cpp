@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace laminate_offset
@@ -66,6 +68,37 @@ Result<StackSurfaces> fitted(const SurfaceAnalysis &analysis, const InputFace &i
     return StackSurfaces{members(family.value(), distances), true};
 }
 
+//! Every distance by itself, in parallel; the first refusal in their order counts.
+Result<StackSurfaces> fitted_each(const SurfaceAnalysis &analysis, const InputFace &input,
+                                  const StackDistances &distances, const OffsetOptions &options)
+{
+    OffsetOptions silent = options; // progress is told by distances, not within one
+    silent.progress = nullptr;
+    std::vector<std::optional<Result<OffsetSurface>>> made(distances.all.size());
+    std::mutex guard;
+    double done = 0.0;
+    bool cancelled = false;
+    tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+        made[i] = offset_surface(analysis, input, distances.all[i], silent);
+        const std::lock_guard lock(guard);
+        done += 1.0 / static_cast<double>(made.size());
+        if (!cancelled && options.progress && !options.progress(std::min(1.0, done)))
+            cancelled = true;
+    });
+    if (cancelled)
+        return Failure{Status::Cancelled, Stage::Surface,
+                       "The computation was cancelled while the stack's surfaces were fitted.", std::nullopt,
+                       std::nullopt};
+    StackSurfaces surfaces;
+    for (std::optional<Result<OffsetSurface>> &one : made)
+    {
+        if (!one->ok())
+            return one->failure();
+        surfaces.surfaces.push_back(std::move(*one).value());
+    }
+    return surfaces;
+}
+
 } // namespace
 
 StackDistances::StackDistances(std::vector<double> distances) : all(std::move(distances))
@@ -82,7 +115,7 @@ const OffsetSurface &StackSurfaces::at(const StackDistances &distances, double d
 }
 
 Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const InputFace &input,
-                                     const StackDistances &distances, const OffsetOptions &options)
+                                     const StackDistances &distances, const OffsetOptions &options, StackFit fit)
 {
     if (Result<bool> feasible = at_ends(distances, [&](double d) { return check_distance(analysis, input, d); });
         !feasible)
@@ -92,7 +125,8 @@ Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const Inpu
     const double tolerance = surface_share * options.tolerance;
     if (auto hidden = all_of(distances, [&](double d) { return hidden_offset(analysis, d, tolerance); }))
         return StackSurfaces{*std::move(hidden), false};
-    Result<StackSurfaces> made = fitted(analysis, input, distances, tolerance, options);
+    Result<StackSurfaces> made = fit == StackFit::Each ? fitted_each(analysis, input, distances, options)
+                                                       : fitted(analysis, input, distances, tolerance, options);
     if (!made)
         return made;
     const auto clear = [&](double distance) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "../surface/offset_surface.h"
+#include "stack_fit.h"
 
 #include <vector>
 
@@ -33,7 +34,9 @@ struct StackSurfaces
 
 //! Refusals: CurvatureLimit, SelfIntersection, for the distance that is out of reach; those of fit_offset_family.
 //! \param analysis made for the farthest distance.
+//! \param fit Each: surfaces that have to be fitted are fitted one by one, and are no family.
 Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const InputFace &input,
-                                     const StackDistances &distances, const OffsetOptions &options);
+                                     const StackDistances &distances, const OffsetOptions &options,
+                                     StackFit fit = StackFit::Shared);
 
 } // namespace laminate_offset

@@ -21,7 +21,7 @@ def add_to(commands: Any) -> None:
         "plies",
         help="lay the plies of a layup on one face of a file",
         description="Lays the plies of a layup table on one face of a STEP, IGES, BREP or FCStd file and writes one "
-        "face for each ply, from the tool outwards. All of them come from one fit.",
+        "face or solid for each ply, from the tool outwards. All of them come from one fit.",
     )
     parser.set_defaults(command=run)
     add = parser.add_argument
@@ -31,6 +31,7 @@ def add_to(commands: Any) -> None:
     add_tolerance(parser)
     add("--direction", choices=("normal", "reversed"), help="side of the face to stack on (default: the layup's own)")
     add("--surface", choices=SURFACES, default="top", help="surface of each ply to write (default: %(default)s)")
+    add("--solids", action="store_true", help="write every ply as a solid instead of a face")
     add("-o", "--output", required=True, metavar="OUT", help=OUTPUT_HELP)
     add_report(parser, "the stack's report, with one entry for every ply,")
 
@@ -43,14 +44,20 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     try:
         with Bar(1, err, "plies") as bar:
             stack = stack_plies(
-                face, layup, arguments.tolerance, arguments.direction, arguments.surface, progress=bar.progress_after(0)
+                face,
+                layup,
+                arguments.tolerance,
+                arguments.direction,
+                arguments.surface,
+                progress=bar.progress_after(0),
+                solids=arguments.solids,
             )
     except OffsetError as refusal:
         print(f"laminate-offset: {refusal_line(number, refusal)}", file=err)
         if arguments.report:
             write_json(refusal.report.to_dict(), arguments.report)
         return REFUSED
-    write_shape(stack.to_shape(), arguments.output, f"{len(stack.plies)} plies")
+    write_shape(stack.to_shape(arguments.solids), arguments.output, f"{len(stack.plies)} plies")
     print(f"laminate-offset: wrote {arguments.output}", file=err)
     print(f"face {number}: {stack.summary()}", file=out)
     if arguments.report:

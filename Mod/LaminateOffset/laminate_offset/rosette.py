@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rosettes: where the fibres of a ply run on a curved surface."""
+
+from dataclasses import dataclass
+from typing import Any, Sequence, Tuple
+
+import numpy
+import Part
+
+from . import _core
+from .api import nearest_point
+
+# A projected axis shorter than this has no direction of its own: the rosette's axis stands on the surface.
+SHORTEST = 1e-6
+
+
+@dataclass(frozen=True)
+class Rosette:
+    """The axes that ply angles refer to.
+
+    The rosette is set onto the surface at its origin: the first axis is `direction` projected onto the tangent plane at
+    the point of the face nearest to `origin`, the third axis is the outward normal there. To every other point of the
+    surface the first axis is moved without turning and then projected onto the tangent plane there (the plain transfer
+    of composite tools). Where it would stand on the surface, the fibre direction does not exist. Angles count from the
+    first axis, counter-clockwise as seen from the tip of the outward normal.
+
+    Attributes:
+        origin: x, y, z in mm.
+        direction: x, y, z of the first axis; its length does not count.
+    """
+
+    origin: Tuple[float, float, float]
+    direction: Tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        for name in ("origin", "direction"):
+            values = numpy.array(tuple(getattr(self, name)), dtype=float)
+            if values.shape != (3,) or not numpy.isfinite(values).all():
+                raise ValueError(f"{name} must be three finite numbers x, y, z; it is {getattr(self, name)!r}.")
+            object.__setattr__(self, name, tuple(float(value) for value in values))
+        if not any(self.direction):
+            raise ValueError("direction must not be zero; give the rosette's first axis.")
+
+
+def fibre_directions(face: "Part.Face", uv: Any, rosette: Rosette, angle: float) -> "numpy.ndarray[Any, Any]":
+    """The unit fibre directions at parameters of a face.
+
+    Args:
+        face: the lay-up surface; its outward normal counts.
+        uv: array (n, 2) of parameters.
+        rosette: the axes; see Rosette for the rule by which they are transferred.
+        angle: of the fibres in degrees from the rosette's first axis.
+
+    Returns:
+        array (n, 3), tangent to the face and to all its offsets at the same parameters.
+
+    Raises:
+        ValueError: the rosette's axis stands on the surface at a point; says where.
+        OffsetError: the face was refused, or it has no normal at a point.
+    """
+    points, normals, _ = _core.evaluate_face(face, numpy.asarray(uv, dtype=float))
+    foot = nearest_point(face, [rosette.origin]).uv
+    at_foot, normal_at_foot, _ = _core.evaluate_face(face, foot)
+    axis = numpy.array(rosette.direction) / numpy.linalg.norm(rosette.direction)
+    first = _projected(axis[None, :], normal_at_foot, at_foot)
+    along = _projected(numpy.repeat(first, len(points), axis=0), normals, points)
+    across = numpy.cross(normals, along)
+    turn = numpy.radians(angle)
+    return numpy.asarray(numpy.cos(turn) * along + numpy.sin(turn) * across)
+
+
+def _projected(axes: Any, normals: Any, points: Any) -> Any:
+    """The axes in the tangent planes, of length 1."""
+    flat = axes - numpy.sum(axes * normals, axis=1)[:, None] * normals
+    lengths = numpy.linalg.norm(flat, axis=1)
+    lost = numpy.flatnonzero(lengths < SHORTEST)
+    if lost.size:
+        place = ", ".join(f"{value:.6g}" for value in _row(points, int(lost[0])))
+        raise ValueError(
+            f"The rosette's first axis stands on the surface at ({place}) mm, so it has no direction there; choose "
+            "another axis."
+        )
+    return flat / lengths[:, None]
+
+
+def _row(points: Any, index: int) -> Sequence[float]:
+    return [float(value) for value in points[index]]

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids, figures, fibre directions and core samples of lo.stack_plies."""
+
+import json
+import math
+from pathlib import Path
+
+import FreeCAD
+import laminate_offset as lo
+import numpy
+import Part
+import pytest
+import sample_shapes
+from laminate_offset import cli, files
+
+Vector = FreeCAD.Vector
+TAPE = lo.Material("tape", cured_thickness=0.25, density=1600.0, roll_width=300.0)
+CORE = lo.Material("core", cured_thickness=5.0, areal_weight=240.0)
+
+
+def sandwich(**options) -> lo.Layup:
+    """Two plies, a core, one ply."""
+    plies = (lo.Ply("A", "tape"), lo.Ply("B", "tape", angle=90.0), lo.Ply("C", "core"), lo.Ply("D", "tape", angle=45.0))
+    return lo.Layup(plies, (TAPE, CORE), **options)
+
+
+@pytest.mark.parametrize("direction, reference", [("normal", "tool"), ("reversed", "tool"), ("normal", "middle")])
+def test_mass_on_a_cylinder_is_the_closed_form(direction: str, reference: str) -> None:
+    radius, height = 50.0, 80.0
+    face = sample_shapes.cylinder_face(radius, height)
+    stack = lo.stack_plies(face, sandwich(direction=direction, reference=reference))
+    figures = stack.mass_properties()
+    mass = 0.0
+    for ply, figure in zip(stack.plies, figures.plies):
+        inner, outer = sorted((radius + ply.ply.bottom, radius + ply.ply.top))
+        volume = math.pi * height * (outer**2 - inner**2)
+        area = 2.0 * math.pi * height * (radius + ply.ply.middle)
+        expected = volume * 1600e-9 if figure.material == "tape" else area * 240e-9
+        mass += expected
+        assert figure.volume == pytest.approx(volume, rel=1e-9) and ply.volume == figure.volume
+        assert figure.area == pytest.approx(area, rel=1e-9) and ply.area == figure.area
+        assert figure.mass == pytest.approx(expected, rel=1e-9) and ply.mass == figure.mass
+        assert (figure.center - Vector(0.0, 0.0, 40.0)).Length < 1e-7 and ply.center == figure.center
+    assert figures.mass == pytest.approx(mass, rel=1e-9)
+    assert figures.thickness == 5.75 and (figures.center - Vector(0.0, 0.0, 40.0)).Length < 1e-7
+    tape, core = figures.materials
+    assert (tape.material, tape.plies, core.material, core.plies) == ("tape", 3, "core", 1)
+    assert tape.roll_length == pytest.approx(tape.area / 300.0) and core.roll_length is None
+    assert json.loads(json.dumps(figures.to_dict()))["plies"][0]["center"][2] == pytest.approx(40.0)
+
+
+def test_mass_on_a_sphere_and_on_a_plane_with_a_hole() -> None:
+    stack = lo.stack_plies(sample_shapes.sphere_face(100.0), sandwich())
+    for ply in stack.plies:
+        shell = 4.0 / 3.0 * math.pi * ((100.0 + ply.ply.top) ** 3 - (100.0 + ply.ply.bottom) ** 3)
+        assert ply.volume == pytest.approx(shell, rel=1e-9)
+    flat = lo.stack_plies(sample_shapes.plane_face(), sandwich())
+    area = 900.0 - 25.0 * math.pi
+    for ply in flat.plies:
+        assert ply.volume == pytest.approx(area * ply.ply.thickness, rel=1e-9)
+        height = ply.ply.middle * sample_shapes.plane_face().normalAt(0.0, 0.0).z
+        assert (ply.center - Vector(15.0, 15.0, height)).Length < 1e-9
+
+
+def test_a_material_without_figures_has_no_mass() -> None:
+    layup = lo.Layup((lo.Ply("A", "tape"), lo.Ply("B", "paper", 0.1)), (TAPE,))
+    figures = lo.stack_plies(sample_shapes.bspline_face(), layup).mass_properties()
+    assert figures.plies[0].mass > 0.0 and figures.plies[1].mass is None and figures.mass is None
+    assert figures.volume > 0.0 and figures.materials[1].mass is None
+
+
+@pytest.mark.parametrize("direction", ["normal", "reversed"])
+def test_solids_of_a_free_form_face(direction: str) -> None:
+    face = sample_shapes.trimmed_bspline_face()
+    stack = lo.stack_plies(face, sandwich(direction=direction), 1e-4, solids=True)
+    figures = stack.mass_properties()
+    for ply, figure in zip(stack.plies, figures.plies):
+        assert ply.solid.ShapeType == "Solid" and ply.solid.isValid() and ply.solid.isClosed()
+        assert len(ply.solid.Faces) == 2 + len(face.Edges)
+        assert ply.solid.Volume == pytest.approx(figure.volume, abs=3e-4 * figure.area)
+        assert (ply.solid.CenterOfMass - figure.center).Length < 0.05
+    for lower, upper in zip(stack.plies, stack.plies[1:]):
+        assert sum(a.isSame(b) for a in lower.solid.Faces for b in upper.solid.Faces) == 1
+    groups = stack.material_solids()
+    assert [(group.material, len(group.plies)) for group in groups] == [("tape", 2), ("core", 1), ("tape", 1)]
+    assert all(group.solid.isValid() for group in groups)
+    whole = stack.laminate_solid()
+    assert whole.isValid() and whole.Volume == pytest.approx(figures.volume, abs=3e-4 * figures.area)
+    assert whole.Volume == pytest.approx(sum(group.solid.Volume for group in groups), rel=1e-6)
+    assert len(stack.to_shape(solids=True).Solids) == 4
+
+
+def test_the_solids_of_a_creased_face_are_refused() -> None:
+    stack = lo.stack_plies(sample_shapes.roof_face(), sandwich())
+    with pytest.raises(lo.OffsetError, match="creases") as refused:
+        stack.laminate_solid()
+    assert refused.value.status == "not-a-face"
+
+
+def test_fibres_on_a_cylinder_follow_the_projected_axis() -> None:
+    face = sample_shapes.cylinder_face(10.0, 20.0)
+    stack = lo.stack_plies(face, sandwich())
+    uv = numpy.array([[0.3, 5.0], [2.0, 10.0], [5.5, 1.0]])
+    axes = lo.Rosette((10.0, 0.0, 0.0), (0.5, 0.0, 2.0))
+    normals = numpy.stack([numpy.cos(uv[:, 0]), numpy.sin(uv[:, 0]), 0.0 * uv[:, 0]], axis=1)
+    up = numpy.array([[0.0, 0.0, 1.0]] * 3)
+    across = numpy.cross(normals, up)
+    assert numpy.allclose(stack.fibre_directions(1, uv, axes), up, atol=1e-12)
+    assert numpy.allclose(stack.fibre_directions(2, uv, axes), across, atol=1e-12)
+    slanted = stack.fibre_directions(stack.plies[3], uv, axes)
+    assert numpy.allclose(slanted, (up + across) / math.sqrt(2.0), atol=1e-12)
+    with pytest.raises(ValueError, match="stands on the surface"):
+        stack.fibre_directions(1, [[0.5 * math.pi, 1.0]], lo.Rosette((10.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+    with pytest.raises(ValueError, match="no ply 5"):
+        stack.fibre_directions(5, uv, axes)
+    with pytest.raises(ValueError, match="direction"):
+        lo.Rosette((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+
+def test_fibres_are_tangent_unit_vectors_on_free_form() -> None:
+    face = sample_shapes.moved(sample_shapes.bspline_face())
+    stack = lo.stack_plies(face, sandwich())
+    places = numpy.random.default_rng(7).uniform(size=(40, 2))
+    u0, u1, v0, v1 = face.ParameterRange
+    uv = numpy.array([u0, v0]) + places * numpy.array([u1 - u0, v1 - v0])
+    for number in (1, 2, 4):
+        directions = stack.fibre_directions(number, uv, lo.Rosette((0.0, 0.0, 0.0), (1.0, 0.2, 0.0)))
+        normals = numpy.array([tuple(face.normalAt(*row)) for row in uv])
+        assert numpy.allclose(numpy.linalg.norm(directions, axis=1), 1.0)
+        assert numpy.abs(numpy.sum(directions * normals, axis=1)).max() < 1e-9
+
+
+def test_thickness_and_core_samples() -> None:
+    face = sample_shapes.trimmed_bspline_face()
+    stack = lo.stack_plies(face, sandwich(direction="reversed"))
+    u0, u1, v0, v1 = face.ParameterRange
+    at = (u0 + 0.2 * (u1 - u0), v0 + 0.3 * (v1 - v0))
+    hole = (0.5 * (u0 + u1), 0.5 * (v0 + v1))
+    assert stack.thickness(numpy.array([at, hole])).tolist() == [5.75, 0.0]
+    point = face.valueAt(*at) + face.normalAt(*at) * 3.0
+    assert stack.thickness([tuple(point)]).tolist() == [5.75]
+    sample = stack.core_sample(point)
+    assert sample.uv == pytest.approx(at, abs=1e-6) and sample.thickness == pytest.approx(5.75)
+    assert [layer.ply.ply.name for layer in sample.layers] == ["A", "B", "C", "D"]
+    assert [(layer.bottom, layer.top) for layer in sample.layers] == [
+        (0.0, -0.25),
+        (-0.25, -0.5),
+        (-0.5, -5.5),
+        (-5.5, -5.75),
+    ]
+    for layer in sample.layers:
+        for face_of_ply, end in ((layer.ply.bottom_face, layer.start), (layer.ply.top_face, layer.end)):
+            assert face_of_ply.distToShape(Part.Vertex(end))[0] < 2e-3
+    line = stack.core_sample_line(face.valueAt(*at), face.valueAt(*hole), 9)
+    assert len(line) == 9 and line[0].thickness == pytest.approx(5.75) and not line[-1].layers
+    with pytest.raises(ValueError, match="2 or more"):
+        stack.core_sample_line((0, 0, 0), (1, 0, 0), 1)
+    with pytest.raises(ValueError, match="shape"):
+        stack.thickness([1.0, 2.0])
+
+
+def test_reduced_plies_have_no_more_poles() -> None:
+    face = sample_shapes.trimmed_bspline_face()
+    shared = lo.stack_plies(face, sandwich())
+    single = lo.stack_plies(face, sandwich(), reduce=True)
+    poles = [
+        [ply.report.surface["poles_u"] * ply.report.surface["poles_v"] for ply in s.plies] for s in (shared, single)
+    ]
+    assert all(few <= many for many, few in zip(*poles)) and sum(poles[1]) < sum(poles[0])
+    assert single.report["certified_error"] <= 1e-3 and single.laminate_solid().isValid()
+    assert not single.report["one_fit"] and all(ply.solid.isValid() for ply in single.plies)
+
+
+def test_the_command_writes_solids(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    source, table, output = tmp_path / "base.brep", tmp_path / "layup.csv", tmp_path / "plies.step"
+    files.write_shape(sample_shapes.bspline_face(), str(source), "base")
+    table.write_text("ply,material,thickness_mm,angle_deg\nP1,tape,0.2,0\nP2,tape,0.3,90\n", encoding="utf-8")
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "--solids", "-o", str(output)]
+    assert cli.main(arguments) == 0
+    written = Part.Shape()
+    written.read(str(output))
+    assert len(written.Solids) == 2 and all(solid.isValid() and solid.Volume > 0.0 for solid in written.Solids)
