@@ -24,15 +24,15 @@ class LaminateOffsetWorkbench(FreeCADGui.Workbench):
         from laminate_offset.gui import commands, resources
 
         resources.register()
-        names = commands.register()
-        self.appendToolbar("Laminate Offset", names)
-        self.appendMenu("&Laminate Offset", names)
+        layout = commands.register()
+        self.appendToolbar("Laminate Offset", layout)
+        self.appendMenu("&Laminate Offset", layout)
 
     def ContextMenu(self, recipient):
-        """Offers the commands on the selected faces in the 3-D view and in the tree."""
+        """Offers what can be done with the selection, in the 3-D view and in the tree."""
         from laminate_offset.gui import commands
 
-        self.appendContextMenu("", commands.names())
+        self.appendContextMenu("", commands.active_names())
 
     def GetClassName(self):
         """The C++ class behind a workbench written in Python."""

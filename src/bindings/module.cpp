@@ -13,6 +13,7 @@
 #include "ply_solids_binding.h"
 #include "project_curve_binding.h"
 #include "shape_exchange.h"
+#include "thread_limit_binding.h"
 
 #include <Standard_Failure.hxx>
 #include <pybind11/pybind11.h>
@@ -56,4 +57,5 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_face_integrals(module);
     laminate_offset::python::bind_ply_solids(module);
     laminate_offset::python::bind_evaluate_face(module);
+    laminate_offset::python::bind_thread_limit(module);
 }

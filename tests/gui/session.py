@@ -60,9 +60,9 @@ def select(obj: Any, *subs: str) -> None:
     pump(50)
 
 
-def run_command() -> None:
-    """Runs the command Offset Face as the toolbar does."""
-    Gui.runCommand(COMMAND, 0)
+def run_command(name: str = COMMAND) -> None:
+    """Runs a command as the toolbar does: Offset Face when none is named."""
+    Gui.runCommand(name, 0)
     pump(300)
 
 
@@ -104,6 +104,12 @@ def press(role: Any) -> None:
     pump(400)
 
 
+def faces() -> List[str]:
+    """The faces in the panel's list."""
+    box = widget("faces", QtGui.QListWidget)
+    return [box.item(row).text() for row in range(box.count())]
+
+
 def result_text() -> str:
     """What the panel's result line says."""
     return widget("result", QtGui.QLabel).text()
@@ -111,7 +117,7 @@ def result_text() -> str:
 
 def result_is_red() -> bool:
     """Whether the result line is shown as a refusal."""
-    return "#cc0000" in widget("result", QtGui.QLabel).styleSheet()
+    return "#e01b24" in widget("result", QtGui.QLabel).styleSheet()
 
 
 def offsets(doc: Any) -> List[Any]:
@@ -143,10 +149,25 @@ def centre_of_view() -> Tuple[Any, Any]:
     return canvases[0], QtCore.QPoint(canvases[0].width() // 2, canvases[0].height() // 2)
 
 
-def click_in_view() -> None:
-    """Clicks the middle of the 3-D view."""
-    canvas, centre = centre_of_view()
-    QTest.mouseMove(canvas, centre)
+def click_in_view(keys: Any = QtCore.Qt.NoModifier, point: Any = None) -> None:
+    """Clicks the middle of the 3-D view, or where a point [mm] is seen, with keys held down."""
+    canvas, place = centre_of_view()
+    if point is not None:
+        x, y = Gui.ActiveDocument.ActiveView.getPointOnScreen(point)
+        place = QtCore.QPoint(x, canvas.height() - 1 - y)
+    QTest.mouseMove(canvas, place)
     pump(250)
-    QTest.mouseClick(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, centre)
+    QTest.mouseClick(canvas, QtCore.Qt.LeftButton, keys, place)
     pump(400)
+
+
+def words_in(obj: Any) -> List[str]:
+    """The words that are drawn in the 3-D view with an object."""
+    from pivy import coin
+
+    search = coin.SoSearchAction()
+    search.setType(coin.SoText2.getClassTypeId())
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(obj.ViewObject.RootNode)
+    paths = search.getPaths()
+    return [paths[index].getTail().string[0].getString() for index in range(paths.getLength())]

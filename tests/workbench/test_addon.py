@@ -42,7 +42,16 @@ def test_workbench_metadata_fits_the_code():
         assert (ADDON / icon.text).is_file(), icon.text
 
 
-@pytest.mark.parametrize("name", ["LaminateOffset", "LaminateOffset_OffsetFace"])
+ICONS = sorted(path.stem for path in (ADDON / "resources" / "icons").glob("*.svg"))
+
+
+def test_every_command_and_object_has_an_icon():
+    from laminate_offset.gui import commands
+
+    assert set(commands.names()) | {"LaminateOffset", "LaminateOffset_Ply"} <= set(ICONS)
+
+
+@pytest.mark.parametrize("name", ICONS)
 def test_icons_are_drawings_of_64_by_64(name):
     root = ElementTree.parse(ADDON / "resources" / "icons" / f"{name}.svg").getroot()
     assert root.get("viewBox") == "0 0 64 64"
@@ -70,20 +79,45 @@ def test_gui_modules_are_used_inside_gui_only():
 _CREATE_WITHOUT_GUI = """
 import sys
 import FreeCAD as App
+from laminate_offset.gui.commands.core_sample import CoreSampleCommand
+from laminate_offset.gui.commands.deviation_map import DeviationMapCommand
+from laminate_offset.gui.commands.extend_face import ExtendFaceCommand
+from laminate_offset.gui.commands.layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from laminate_offset.gui.commands.offset_face import OffsetFaceCommand
+from laminate_offset.gui.commands.offset_limits import OffsetLimitsCommand
+from laminate_offset.gui.commands.ply_stack import PlyStackCommand
 doc = App.newDocument("T")
 ball = doc.addObject("Part::Sphere", "Ball")
+can = doc.addObject("Part::Cylinder", "Can")
+plane = doc.addObject("Part::Plane", "Plane")
 doc.recompute()
-(offset,) = OffsetFaceCommand.create([(ball, ["Face1"])], doc)
-(empty,) = OffsetFaceCommand.create([], doc)
+links = [(ball, ["Face1"])]
+offset = OffsetFaceCommand.create([*links, (can, ["Face1", "Face2"])], doc)
+empty = OffsetFaceCommand.create([], doc)
+limits = OffsetLimitsCommand.create(links, doc)
+extended = ExtendFaceCommand.create([(plane, ["Face1"])], doc)
+layup = LayupCommand.create(doc)
+read = ImportLayupCommand.create(doc, sys.argv[1])
+ExportLayupCommand.create(read, sys.argv[2])
+stack = PlyStackCommand.create(links, read, doc)
+sample = CoreSampleCommand.create(doc, stack, (10, 0, 0))
 doc.recompute()
-assert offset.Status == "ok" and offset.Shape.Faces[0].Surface.Radius == 6, offset.Message
+assert offset.Status == "ok" and len(offset.Shape.Faces) == 3, offset.Message
+assert offset.Shape.Faces[0].Surface.Radius == 6, offset.Message
 assert empty.Status == "null-shape" and empty.Shape.isNull()
+assert abs(limits.Negative.Value + 5) < 0.01, limits.Message
+assert extended.Status == "ok" and abs(extended.Shape.Area - 120**2) < 1e-6, extended.Message
+assert layup.PlyCount == 1 and read.PlyCount == stack.PlyCount == sample.PlyCount == 6, sample.Message
+map_ = DeviationMapCommand.create(offset)
+assert map_.Status == "ok" and max(map(abs, map_.Deviations)) < 1e-6, map_.Message
 assert "FreeCADGui" not in sys.modules and "PySide" not in sys.modules
 print("DONE")
 """
 
 
-def test_command_creates_without_the_gui():
-    done = subprocess.run([sys.executable, "-c", _CREATE_WITHOUT_GUI], capture_output=True, text=True, check=False)
+def test_commands_create_without_the_gui(tmp_path):
+    source = ADDON / "resources" / "examples" / "layup_plain.csv"
+    command = [sys.executable, "-c", _CREATE_WITHOUT_GUI, str(source), str(tmp_path / "copy.csv")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0 and "DONE" in done.stdout, done.stderr
+    assert laminate_offset.read_layup(str(tmp_path / "copy.csv")) == laminate_offset.read_layup(str(source))

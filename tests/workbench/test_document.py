@@ -110,10 +110,11 @@ def test_undo_of_a_change_that_was_refused(doc, ball):
     offset.Distance = -15
     doc.recompute()
     doc.commitTransaction()
-    assert offset.Shape.isNull()
+    assert offset.OutOfDate and radius(offset) == pytest.approx(12)
     doc.undo()
     doc.recompute()
     assert offset.Distance.Value == 2 and offset.Status == "ok" and radius(offset) == pytest.approx(12)
+    assert not offset.OutOfDate
 
 
 def test_aborted_transaction_leaves_nothing(doc, ball):

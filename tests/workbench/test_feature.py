@@ -8,7 +8,7 @@ import FreeCAD as App
 import Part
 import pytest
 from laminate_offset.features import progress
-from laminate_offset.features.offset_face import add_offset_face, make_offset_face
+from laminate_offset.features.offset_face import add_offset_face, make_offset_face, set_base
 from shapes import largest_deviation, radius, side, wavy_face
 
 
@@ -119,13 +119,13 @@ def test_distance_takes_an_expression(doc, ball):
     assert radius(offset) == pytest.approx(25)
 
 
-def test_refused_distance_empties_the_shape_and_says_why(doc, ball):
+def test_refused_distance_keeps_the_last_good_shape_and_says_why(doc, ball):
     offset = make_offset_face(ball, "Face1", -4)
-    assert not offset.Shape.isNull()
+    assert radius(offset) == pytest.approx(6) and not offset.OutOfDate and offset.RefusedAt == []
     offset.Distance = -15
     doc.recompute()
-    assert is_invalid(offset) and offset.Shape.isNull()
-    assert offset.Status == "curvature-limit"
+    assert is_invalid(offset) and offset.OutOfDate and radius(offset) == pytest.approx(6)
+    assert offset.Status == "curvature-limit" and len(offset.RefusedAt) == 1
     assert "Face1" in offset.Message and "-15 mm" in offset.Message and "-10 mm" in offset.Message
     assert offset.getStatusString() == offset.Message
     assert "-10 mm" in offset.Limits
@@ -134,6 +134,16 @@ def test_refused_distance_empties_the_shape_and_says_why(doc, ball):
     assert report["limits"]["negative"] == pytest.approx(-10)
     for name in ("CertifiedError", "SampledError", "EdgeError", "SampledEdgeError"):
         assert math.isnan(getattr(offset, name).Value), f"{name} of the last success is left over"
+    assert offset.Poles == 0 and offset.Surface == ""
+    offset.Distance = -5
+    doc.recompute()
+    assert not is_invalid(offset) and not offset.OutOfDate and offset.RefusedAt == []
+    assert radius(offset) == pytest.approx(5)
+
+
+def test_first_refusal_leaves_the_shape_empty(ball):
+    offset = make_offset_face(ball, "Face1", -15)
+    assert is_invalid(offset) and offset.Shape.isNull() and not offset.OutOfDate
 
 
 def test_refused_object_recovers(doc, ball):
@@ -179,7 +189,7 @@ def test_face_that_vanishes_refuses(doc):
     assert offset.Status == "ok"
     base.Shape = Part.makeSphere(5)
     doc.recompute()
-    assert is_invalid(offset) and offset.Shape.isNull() and offset.Status == "null-shape"
+    assert is_invalid(offset) and offset.OutOfDate and offset.Status == "null-shape"
 
 
 def test_no_base_is_refused(doc):
@@ -193,7 +203,30 @@ def test_deleted_base_is_refused(doc, ball):
     doc.removeObject(ball.Name)
     offset.touch()
     doc.recompute()
-    assert is_invalid(offset) and offset.Shape.isNull() and offset.Status == "null-shape"
+    assert is_invalid(offset) and offset.OutOfDate and offset.Status == "null-shape"
+
+
+def test_faces_of_several_objects_and_one_of_them_deleted(doc, ball):
+    can = doc.addObject("Part::Cylinder", "Can")
+    can.Radius, can.Height = 10, 30
+    doc.recompute()
+    offset = add_offset_face(doc)
+    set_base(offset, [(ball, ["Face1"]), (can, ["Face1", "Face2"]), (ball, ["Face1"])])
+    offset.Distance = 2
+    doc.recompute()
+    assert offset.Status == "ok" and len(offset.Shape.Faces) == offset.FaceCount == 3
+    assert offset.Shape.Faces[0].Surface.Radius == pytest.approx(12)
+    offset.Distance = -12
+    doc.recompute()
+    assert is_invalid(offset) and offset.Message.startswith("Ball: Face1: ")
+    offset.Distance = 2
+    doc.removeObject(can.Name)
+    doc.recompute()
+    assert is_invalid(offset) and offset.OutOfDate, "a face less must not go unnoticed"
+    assert "2 of 3 base faces are gone" in offset.Message and "pick" in offset.Message
+    set_base(offset, [(ball, ["Face1"])])
+    doc.recompute()
+    assert offset.Status == "ok" and len(offset.Shape.Faces) == 1
 
 
 def test_progress_is_told_and_can_cancel(doc):
@@ -201,22 +234,19 @@ def test_progress_is_told_and_can_cancel(doc):
     base.Shape = wavy_face()
     told = []
 
-    class Watcher:
-        def __init__(self, title):
-            told.append(title)
+    def watcher(title, work):
+        told.append(title)
 
-        def __enter__(self):
-            return self.report
-
-        def __exit__(self, *_exception):
-            told.append("end")
-
-        @staticmethod
         def report(fraction):
             told.append(fraction)
             return False
 
-    progress.install(Watcher)
+        try:
+            return work(report)
+        finally:
+            told.append("end")
+
+    progress.install(watcher)
     try:
         offset = make_offset_face(base, "Face1", 3)
     finally:
@@ -229,7 +259,7 @@ def test_progress_is_told_and_can_cancel(doc):
 def test_properties_are_documented_and_typed(ball):
     offset = make_offset_face(ball, "Face1", 1)
     types = {name: offset.getTypeIdOfProperty(name) for name in offset.PropertiesList}
-    assert types["Base"] == "App::PropertyLinkSub"
+    assert types["Base"] == "App::PropertyLinkSubList"
     assert types["Distance"] == "App::PropertyDistance" and types["Tolerance"] == "App::PropertyLength"
     assert offset.getEnumerationsOfProperty("Method") == ["same-parameter", "ravi-kumar"]
     own = [name for name in offset.PropertiesList if offset.getGroupOfProperty(name) in ("Offset", "Report")]

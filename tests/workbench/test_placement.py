@@ -63,7 +63,7 @@ def test_base_in_nested_parts_and_a_group(doc, box):
     box.Placement, inner.Placement, outer.Placement = MOVE, OTHER_MOVE, MOVE
     doc.recompute()
     offset = make_offset_face(box, "Face6", -3)
-    assert offset.Base[0] == outer
+    assert offset.Base[0][0] == outer
     assert_above_top(offset, -3, MOVE, OTHER_MOVE, MOVE)
     for moved in (outer, inner, box):
         moved.Placement = App.Placement()
@@ -125,7 +125,7 @@ def test_offset_inside_a_container_of_its_own(doc, box):
     part.Placement = MOVE
     offset = add_offset_face(doc)
     part.addObject(offset)
-    set_base(offset, box, ["Face6"])
+    set_base(offset, [(box, ["Face6"])])
     offset.Distance = 2
     doc.recompute()
     assert box.getParentGeoFeatureGroup() is None and offset.getParentGeoFeatureGroup() == part

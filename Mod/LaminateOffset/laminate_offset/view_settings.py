@@ -22,13 +22,23 @@ class Look(NamedTuple):
 #: Of offsets: a blue that differs from FreeCAD's grey; see-through enough to show the base behind it.
 OFFSET_LOOK = Look((0.36, 0.59, 0.84), 35)
 
+#: Of extended faces: a green that differs from offsets and bases.
+EXTENSION_LOOK = Look((0.45, 0.72, 0.41), 35)
+
+#: Of marks of feasible limits and of core samples.
+LIMITS_LOOK = Look((0.80, 0.30, 0.10))
+SAMPLE_LOOK = Look((0.30, 0.30, 0.30))
+
 
 class ViewProvider(NamedTuple):
-    """Class of a kind of object's view provider, and its look. Proxies of such objects name theirs as VIEW_PROVIDER."""
+    """Class of a kind of object's view provider, and its look; None for what has no shape of its own.
+
+    Proxies of such objects name theirs as VIEW_PROVIDER.
+    """
 
     module: str
     name: str
-    look: Look
+    look: Optional[Look]
 
 
 def add_view_settings(path: str, document: Any, looks: Optional[Mapping[str, Look]] = None) -> None:

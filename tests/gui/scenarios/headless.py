@@ -7,7 +7,7 @@ import subprocess
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtGui
-from session import OUT, click, edit, look_at_all, press, screenshot, start, type_into, widget
+from session import OUT, click, edit, faces, look_at_all, press, screenshot, start, type_into
 
 BUTTON = QtGui.QDialogButtonBox
 BUILD = os.environ["LAMINATE_OFFSET_BUILD_DIR"]
@@ -87,7 +87,7 @@ def check_editing(offset) -> None:
     assert offset.Visibility and view.Visibility and view.Transparency > 0
     assert type(view.Proxy).__name__ == "OffsetFaceViewProvider" and os.path.exists(view.Proxy.getIcon())
     edit(offset)
-    assert Gui.Control.activeDialog() and widget("faces").text().endswith(": Face1")
+    assert Gui.Control.activeDialog() and faces()[0].endswith(": Face1")
     type_into("distance", "3")
     press(BUTTON.Ok)
     assert not Gui.Control.activeDialog() and offset.Status == "ok" and offset.Distance.Value == 3

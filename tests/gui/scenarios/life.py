@@ -13,6 +13,7 @@ from session import (
     WORKBENCH,
     click,
     edit,
+    faces,
     look_at_all,
     offsets,
     press,
@@ -21,7 +22,6 @@ from session import (
     select,
     start,
     type_into,
-    widget,
 )
 
 BUTTON = QtGui.QDialogButtonBox
@@ -72,7 +72,7 @@ def make(doc):
     names = list(doc.UndoNames)
     run_command()
     assert Gui.Control.activeDialog()
-    assert widget("faces").text() == "Base: Face1"
+    assert faces() == ["Base: Face1"]
     type_into("distance", "3.5")
     type_into("tolerance", "0.0001 mm")
     click("livePreview")

@@ -18,6 +18,7 @@ from session import (
     start,
     type_into,
     widget,
+    words_in,
 )
 
 BUTTON = QtGui.QDialogButtonBox
@@ -34,6 +35,7 @@ def run() -> None:
     run_command()
     refused(doc)
     repaired(doc)
+    out_of_date(doc, ball)
     driven_by_expression(doc, ball)
     cancelled(doc, ball)
 
@@ -46,6 +48,7 @@ def refused(doc) -> None:
     (offset,) = offsets(doc)
     assert offset.Status == "curvature-limit" and offset.Shape.isNull()
     assert result_is_red() and "Face1" in result_text() and "-15" in result_text(), result_text()
+    assert offset.RefusedAt and words_in(offset), "the place is marked on the model"
     screenshot("refused")
 
 
@@ -56,6 +59,21 @@ def repaired(doc) -> None:
     assert not Gui.Control.activeDialog()
     (offset,) = offsets(doc)
     assert offset.Status == "ok" and math.isclose(offset.Shape.Faces[0].Surface.Radius, 6)
+    assert not words_in(offset)
+
+
+def out_of_date(doc, ball) -> None:
+    """A base that changes under a good offset: the old shape stays, dashed and with a word on it."""
+    (offset,) = offsets(doc)
+    ball.Radius = 3
+    doc.recompute()
+    look_at_all()
+    assert offset.OutOfDate and math.isclose(offset.Shape.Faces[0].Surface.Radius, 6)
+    assert offset.ViewObject.DrawStyle == "Dashed" and "out of date" in words_in(offset)[0]
+    screenshot("out_of_date")
+    ball.Radius = 10
+    doc.recompute()
+    assert not offset.OutOfDate and offset.ViewObject.DrawStyle == "Solid" and not words_in(offset)
 
 
 def driven_by_expression(doc, ball) -> None:

@@ -6,7 +6,7 @@ container. A path that starts at the outermost container carries every placement
 depend on each of them.
 """
 
-from typing import Any, List, Sequence, Tuple
+from typing import Any, Iterable, List, Sequence, Tuple
 
 import FreeCAD as App
 import Part
@@ -58,18 +58,46 @@ def global_face(base: Any, sub: str) -> Any:
         raise _missing(base, sub)
     if shape.ShapeType != "Face":
         raise BaseFaceError("not-a-face", f"{describe(base, sub)} is not a face; pick a face.")
-    return _moved(shape, container_placement(base))
+    placement = container_placement(base)
+    if not placement.isIdentity():
+        shape.Placement = placement.multiply(shape.Placement)  # of this handle only; the geometry stays shared
+    return shape
 
 
-def linked_faces(feature: Any) -> List[Tuple[str, Any]]:
-    """(sub, Part.Face) of every face in the feature's Base. Raises BaseFaceError when it leads to none."""
-    if feature.Base is None or feature.Base[0] is None:
+def links_of(value: Any) -> List[Tuple[Any, List[str]]]:
+    """(object, paths) for every object of a link with sub-elements, of one object or of several; [] when unset."""
+    if not value:
+        return []
+    pairs = value if isinstance(value, list) else [value]
+    links: List[Tuple[Any, List[str]]] = []
+    for base, subs in pairs:
+        paths = [sub for sub in ([subs] if isinstance(subs, str) else subs) if sub]
+        if base is not None and links and links[-1][0] == base:
+            links[-1][1].extend(paths)
+        elif base is not None:
+            links.append((base, paths))
+    return links
+
+
+def rooted_links(links: Iterable[Tuple[Any, Iterable[str]]]) -> List[Tuple[Any, str]]:
+    """Each linked face from its outermost container, so that moving any container moves what depends on it."""
+    faces = [rooted(base, sub) for base, subs in links for sub in subs]
+    return [face for index, face in enumerate(faces) if face not in faces[:index]]
+
+
+def linked_faces(value: Any) -> List[Tuple[str, Any]]:
+    """(name for messages, Part.Face) of every face of a link. Raises BaseFaceError when it leads to none."""
+    links = links_of(value)
+    if not links:
         raise BaseFaceError("null-shape", "No base face is set; edit the object and pick a face.")
-    base, subs = feature.Base
-    subs = [sub for sub in subs if sub]
-    if not subs:
-        raise BaseFaceError("null-shape", f"No face of {base.Label} is named; edit the object and pick a face.")
-    return [(sub, global_face(base, sub)) for sub in subs]
+    faces = []
+    for base, subs in links:
+        if not subs:
+            raise BaseFaceError("null-shape", f"No face of {base.Label} is named; edit the object and pick a face.")
+        for sub in subs:
+            name = sub if len(links) == 1 else describe(base, sub)
+            faces.append((name, global_face(base, sub)))
+    return faces
 
 
 def container_placement(obj: Any) -> Any:
@@ -79,7 +107,7 @@ def container_placement(obj: Any) -> Any:
 
 
 def place_result(feature: Any, faces: Sequence[Any]) -> None:
-    """Gives feature its shape from faces in the global frame, expressed in the frame of feature's container.
+    """Gives feature its shape from shapes in the global frame, expressed in the frame of feature's container.
 
     While an object recomputes FreeCAD replaces the location of an assigned shape by the object's Placement, so the
     location is handed over as the Placement.

@@ -1,89 +1,90 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parametric offset of one or several faces."""
+"""The parametric offset of one or many faces, of one or several objects."""
 
 import json
 import math
-from typing import Any, Iterable, List, Mapping, Optional, Tuple, Union
-
-import FreeCAD as App
-import Part
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import laminate_offset as lo
 
 from .. import messages
 from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
-from .base_face import linked_faces, place_result, rooted
-from .properties import HIDDEN, READ_ONLY, Property, add_missing
-from .stateless import StatelessProxy
+from .base_face import BaseFaceError, linked_faces, links_of, place_result, rooted_links
+from .outcome import Feature, accept, add_feature
+from .properties import HIDDEN, READ_ONLY, Property
 
 METHODS = ["same-parameter", "ravi-kumar"]
 
-_PROPERTIES = (
-    Property("App::PropertyLinkSub", "Base", "Offset", "The faces that are offset"),
-    Property("App::PropertyDistance", "Distance", "Offset", "Signed distance along the face's outward normal", 1.0),
-    Property("App::PropertyLength", "Tolerance", "Offset", "Largest deviation from the exact offset", 1e-3),
-    Property("App::PropertyEnumeration", "Method", "Offset", "How the offset surface is found", METHODS),
-    Property(
-        "App::PropertyIntegerConstraint", "MaxDegree", "Offset", "Highest degree of the surface, 3 to 7", (7, 3, 7, 1)
-    ),
-    Property("App::PropertyString", "Status", "Report", "ok, or the refusal's name", "", READ_ONLY),
-    Property(
-        "App::PropertyString", "Message", "Report", "What was made, or why not and what would work", "", READ_ONLY
-    ),
-    Property(
-        "App::PropertyLength",
-        "CertifiedError",
-        "Report",
-        "Proven bound of the surface's deviation",
-        math.nan,
-        READ_ONLY,
-    ),
-    Property(
-        "App::PropertyLength", "SampledError", "Report", "Largest deviation seen; not a bound", math.nan, READ_ONLY
-    ),
-    Property("App::PropertyLength", "EdgeError", "Report", "Bound of the edge curves' deviation", math.nan, READ_ONLY),
-    Property(
-        "App::PropertyLength",
-        "SampledEdgeError",
-        "Report",
-        "Largest edge deviation seen; not a bound",
-        math.nan,
-        READ_ONLY,
-    ),
-    Property("App::PropertyInteger", "Poles", "Report", "Control points; 0 for exact surfaces", 0, READ_ONLY),
-    Property("App::PropertyInteger", "Degree", "Report", "Highest degree; 0 for exact surfaces", 0, READ_ONLY),
-    Property("App::PropertyString", "Surface", "Report", "Kind of the offset surface", "", READ_ONLY),
-    Property("App::PropertyString", "Limits", "Report", "Feasible distances", "", READ_ONLY),
-    Property("App::PropertyString", "ReportJson", "Report", "One report a face, as JSON", "", READ_ONLY | HIDDEN),
-)
+Link = Tuple[Any, Iterable[str]]
 
 
-class OffsetFaceFeature(StatelessProxy):
+class OffsetFaceFeature(Feature):
     """Proxy of the Part::FeaturePython object. It keeps no state: all of it is in properties."""
 
+    SCHEMA = 2
     VIEW_PROVIDER = ViewProvider(
         "laminate_offset.gui.view_providers.offset_face", "OffsetFaceViewProvider", OFFSET_LOOK
     )
+    PROPERTIES = (
+        Property("App::PropertyLinkSubList", "Base", "Offset", "The faces that are offset"),
+        Property("App::PropertyInteger", "FaceCount", "Offset", "How many faces were picked", 0, READ_ONLY | HIDDEN),
+        Property("App::PropertyDistance", "Distance", "Offset", "Signed distance along the face's outward normal", 1.0),
+        Property("App::PropertyLength", "Tolerance", "Offset", "Largest deviation from the exact offset", 1e-3),
+        Property("App::PropertyEnumeration", "Method", "Offset", "How the offset surface is found", METHODS),
+        Property(
+            "App::PropertyIntegerConstraint",
+            "MaxDegree",
+            "Offset",
+            "Highest degree of the surface, 3 to 7",
+            (7, 3, 7, 1),
+        ),
+        Property(
+            "App::PropertyLength",
+            "CertifiedError",
+            "Report",
+            "Proven bound of the surface's deviation",
+            math.nan,
+            READ_ONLY,
+        ),
+        Property(
+            "App::PropertyLength", "SampledError", "Report", "Largest deviation seen; not a bound", math.nan, READ_ONLY
+        ),
+        Property(
+            "App::PropertyLength", "EdgeError", "Report", "Bound of the edge curves' deviation", math.nan, READ_ONLY
+        ),
+        Property(
+            "App::PropertyLength",
+            "SampledEdgeError",
+            "Report",
+            "Largest edge deviation seen; not a bound",
+            math.nan,
+            READ_ONLY,
+        ),
+        Property("App::PropertyInteger", "Poles", "Report", "Control points; 0 for exact surfaces", 0, READ_ONLY),
+        Property("App::PropertyInteger", "Degree", "Report", "Highest degree; 0 for exact surfaces", 0, READ_ONLY),
+        Property("App::PropertyString", "Surface", "Report", "Kind of the offset surface", "", READ_ONLY),
+        Property("App::PropertyString", "Limits", "Report", "Feasible distances", "", READ_ONLY),
+    )
 
-    def __init__(self, obj: Any):
-        obj.Proxy = self
-        self._prepare(obj)
+    def compute(self, obj: Any) -> None:
+        """Offsets every face; one refusal refuses all."""
+        request = OffsetRequest.of(obj)
+        results = _take_prepared(obj, request)
+        if results is None:
+            results = progress.run(obj.Label, request.compute)
+        place_result(obj, [result.shape for result in results])
+        _write_reports(obj, [result.report.to_dict() for result in results])
 
-    def execute(self, obj: Any) -> None:
-        """Called by FreeCAD to recompute."""
-        recompute_offset(obj)
+    def refused(self, obj: Any) -> None:
+        """No figure of an older result is left standing."""
+        _write_figures(obj, [])
+        obj.Surface = ""
+        obj.Limits = messages.feasible_range(_feasible_range(obj))
 
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Adds what an older version, or a document saved without the GUI, does not have."""
-        self._prepare(obj)
-        _attach_view_provider(obj)
-
-    @staticmethod
-    def _prepare(obj: Any) -> None:
-        add_missing(obj, _PROPERTIES)
-        # The base decides where the offset is; a placement of its own would break the distance.
-        obj.setEditorMode("Placement", READ_ONLY)
+    def upgrade(self, obj: Any, version: int) -> None:
+        """The first version had the faces of one object."""
+        obj.FaceCount = sum(len(subs) for _, subs in links_of(obj.Base))
 
 
 def make_offset_face(
@@ -105,7 +106,7 @@ def make_offset_face(
     A refusal does not raise here: the object's State holds "Invalid", its Status and Message say why.
     """
     feature = add_offset_face(doc or base_obj.Document, name)
-    set_base(feature, base_obj, [sub] if isinstance(sub, str) else sub)
+    set_base(feature, [(base_obj, [sub] if isinstance(sub, str) else sub)])
     feature.Distance = distance
     feature.Tolerance = tolerance
     feature.Document.recompute([feature])
@@ -114,92 +115,91 @@ def make_offset_face(
 
 def add_offset_face(doc: Any, name: Optional[str] = None) -> Any:
     """Adds an offset that has no base face yet."""
-    feature = doc.addObject("Part::FeaturePython", name or "OffsetFace")
-    OffsetFaceFeature(feature)
-    _attach_view_provider(feature)
-    return feature
+    return add_feature(doc, OffsetFaceFeature, name or "OffsetFace")
 
 
-def _attach_view_provider(feature: Any) -> None:
-    """Where the GUI is up, gives the object the view provider that it does not have yet."""
-    if App.GuiUp:
-        from ..gui.view_providers.offset_face import attach_missing
-
-        attach_missing(feature.ViewObject)
-
-
-def set_base(feature: Any, base: Any, subs: Iterable[str]) -> None:
-    """Links faces of base, rooted at the outermost container so that moving any container moves the offset."""
-    links = [rooted(base, sub) for sub in subs]
-    feature.Base = (links[0][0], [path for _, path in links]) if links else (base, [])
+def set_base(feature: Any, links: Iterable[Link]) -> None:
+    """Links the faces, each rooted at its outermost container so that moving any container moves the offset."""
+    faces = rooted_links(links)
+    feature.Base = faces
+    feature.FaceCount = len(faces)
 
 
-def recompute_offset(feature: Any) -> None:
-    """Computes shape and report properties. On a refusal the shape becomes empty and RuntimeError is raised."""
-    try:
-        faces, reports = _offset_all(feature)
-    except Exception as error:  # also a defect must not leave the old shape looking valid; it is raised again
-        _refuse(feature, error)
-        raise RuntimeError(feature.Message) from error
-    place_result(feature, faces)
-    _write_reports(feature, reports)
+class OffsetRequest(NamedTuple):
+    """All that one recompute needs, free of the document: it can be computed in any thread."""
 
+    faces: List[Tuple[str, Any]]
+    distance: float
+    tolerance: float
+    method: str
+    max_degree: int
 
-def _offset_all(feature: Any) -> Tuple[List[Any], List[Mapping[str, Any]]]:
-    bases = linked_faces(feature)
-    faces, reports = [], []
-    with progress.watch(feature.Label) as report:
-        for index, (sub, face) in enumerate(bases):
+    @classmethod
+    def of(cls, feature: Any) -> "OffsetRequest":
+        """What the object asks for now. Raises BaseFaceError."""
+        faces = linked_faces(feature.Base)
+        if len(faces) < feature.FaceCount:  # FreeCAD drops the links to an object that is deleted
+            raise BaseFaceError(
+                "null-shape",
+                f"{feature.FaceCount - len(faces)} of {feature.FaceCount} base faces are gone with the object they "
+                "were on. Edit the offset and pick faces again.",
+            )
+        return cls(faces, feature.Distance.Value, feature.Tolerance.Value, feature.Method, feature.MaxDegree)
+
+    def compute(self, report: Optional[progress.Report]) -> List[Any]:
+        """An OffsetResult for each face. Raises OffsetError, whose `face` is the name of the refused one."""
+        results = []
+        for index, (name, face) in enumerate(self.faces):
             try:
-                result = _offset_one(feature, face, progress.part_of(report, index, len(bases)))
+                result = lo.offset_face(
+                    face,
+                    self.distance,
+                    tolerance=self.tolerance,
+                    method=self.method,
+                    max_degree=self.max_degree,
+                    progress=progress.part_of(report, index, len(self.faces)),
+                )
             except lo.OffsetError as error:
-                error.face = sub
+                error.face = name
                 raise
-            faces.append(result.shape)
-            reports.append(result.report.to_dict())
-    return faces, reports
+            results.append(result)
+        return results
+
+    def same_as(self, other: "OffsetRequest") -> bool:
+        """Whether the other one asks for the same of the same faces."""
+        if self[1:] != other[1:] or len(self.faces) != len(other.faces):
+            return False
+        return all(mine.isEqual(theirs) for (_, mine), (_, theirs) in zip(self.faces, other.faces))
 
 
-def _offset_one(feature: Any, face: Any, report: Optional[progress.Report]) -> Any:
-    return lo.offset_face(
-        face,
-        feature.Distance.Value,
-        tolerance=feature.Tolerance.Value,
-        method=feature.Method,
-        max_degree=feature.MaxDegree,
-        progress=report,
-    )
+_prepared: Dict[Tuple[str, str], Tuple[OffsetRequest, List[Any]]] = {}
 
 
-def _refuse(feature: Any, error: Exception) -> None:
-    """An empty shape can not be mistaken for a valid offset; the properties say what happened."""
-    feature.Shape = Part.Shape()
-    feature.Status = _status(error)
-    feature.Message = messages.refusal(error, getattr(error, "face", ""))
-    _write_figures(feature, [])
-    feature.Surface = ""
-    feature.Limits = messages.feasible_range(getattr(error, "feasible_range", None))
-    feature.ReportJson = json.dumps([_refusal_report(feature, error)])
+def prepare(feature: Any, request: OffsetRequest, results: List[Any]) -> None:
+    """Hands over what a preview has computed: the next recompute takes it if it asks for the same."""
+    _prepared[feature.Document.Name, feature.Name] = (request, results)
 
 
-def _refusal_report(feature: Any, error: Exception) -> Mapping[str, Any]:
-    if isinstance(error, lo.OffsetError):
-        return error.report.to_dict()
-    return {"status": feature.Status, "stage": getattr(error, "stage", "options"), "message": feature.Message}
+def _take_prepared(feature: Any, request: OffsetRequest) -> Optional[List[Any]]:
+    found = _prepared.pop((feature.Document.Name, feature.Name), None)
+    return found[1] if found is not None and found[0].same_as(request) else None
 
 
-def _status(error: Exception) -> str:
-    bad_argument = "invalid-option" if isinstance(error, ValueError) else "kernel-error"
-    return str(getattr(error, "status", bad_argument))
+def describe_results(results: Iterable[Any]) -> str:
+    """One line for the user on the offsets of all faces."""
+    return "; ".join(messages.summary(result.report.to_dict()) for result in results)
+
+
+def _feasible_range(feature: Any) -> Any:
+    (report,) = json.loads(feature.ReportJson)
+    return report.get("limits")
 
 
 def _write_reports(feature: Any, reports: List[Mapping[str, Any]]) -> None:
-    feature.Status = "ok"
-    feature.Message = "; ".join(messages.summary(report) for report in reports)
+    accept(feature, "; ".join(messages.summary(report) for report in reports), reports)
     _write_figures(feature, reports)
     feature.Surface = "; ".join(messages.surface_type(report["surface"]) for report in reports)
     feature.Limits = "; ".join(messages.feasible_range(report.get("limits")) for report in reports)
-    feature.ReportJson = json.dumps(reports)
 
 
 def _write_figures(feature: Any, reports: List[Mapping[str, Any]]) -> None:

@@ -1,36 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a recompute tells its progress without knowing the GUI.
 
-The GUI installs a watcher; without one, long work simply runs to its end.
+The GUI installs a runner, which keeps its event loop alive meanwhile; without one, work simply runs to its end.
 """
 
-import contextlib
-import threading
-from typing import Callable, ContextManager, Iterator, Optional
+from typing import Any, Callable, Optional
 
 #: Called with a fraction from 0 to 1; returns False to cancel.
 Report = Callable[[float], bool]
 
-#: Given a title, a context manager that shows progress and yields a Report.
-Watcher = Callable[[str], ContextManager[Report]]
+#: A piece of work: gets a Report, or None when nobody watches, and returns its result.
+Work = Callable[[Optional[Report]], Any]
 
-_watcher: Optional[Watcher] = None
+#: Given a title and a piece of work, does it and returns its result. It may do it in another thread.
+Runner = Callable[[str, Work], Any]
 
-
-def install(watcher: Optional[Watcher]) -> None:
-    """Shows the progress of every later recompute with watcher; None shows nothing."""
-    global _watcher
-    _watcher = watcher
+_runner: Optional[Runner] = None
 
 
-@contextlib.contextmanager
-def watch(title: str) -> Iterator[Optional[Report]]:
-    """Yields the Report for one piece of work, or None when nobody watches."""
-    if _watcher is None:
-        yield None
-        return
-    with _watcher(title) as report:
-        yield _in_this_thread(report)
+def install(runner: Optional[Runner]) -> None:
+    """Lets runner do the work of every later recompute; None: it is done at once, and nobody watches."""
+    global _runner
+    _runner = runner
+
+
+def run(title: str, work: Work) -> Any:
+    """Does the work and returns its result. The work must not touch a document: it may run in another thread."""
+    return work(None) if _runner is None else _runner(title, work)
 
 
 def part_of(report: Optional[Report], index: int, count: int) -> Optional[Report]:
@@ -38,17 +34,3 @@ def part_of(report: Optional[Report], index: int, count: int) -> Optional[Report
     if report is None:
         return None
     return lambda fraction: report((index + fraction) / count)
-
-
-def _in_this_thread(report: Report) -> Report:
-    """Widgets belong to one thread, while the engine may call from any: others get the last answer."""
-    owner = threading.get_ident()
-    keep_going = True
-
-    def guarded(fraction: float) -> bool:
-        nonlocal keep_going
-        if threading.get_ident() == owner:
-            keep_going = keep_going and report(fraction)
-        return keep_going
-
-    return guarded

@@ -19,10 +19,19 @@ class Property(NamedTuple):
 
 
 def add_missing(obj: Any, properties: Sequence[Property]) -> None:
-    """Adds each property that obj does not have yet, with its default, and sets the editor modes of all."""
+    """Adds each property that obj does not have yet, with its default, and sets the editor modes of all.
+
+    A property that an older version made with another type is made anew and keeps its value.
+    """
     for prop in properties:
-        if not hasattr(obj, prop.name):
+        default = prop.default
+        present = hasattr(obj, prop.name)
+        if present and obj.getTypeIdOfProperty(prop.name) != prop.type:
+            default = getattr(obj, prop.name)
+            obj.removeProperty(prop.name)
+            present = False
+        if not present:
             obj.addProperty(prop.type, prop.name, prop.group, prop.text)
-            if prop.default is not None:
-                setattr(obj, prop.name, prop.default)
+            if default is not None:
+                setattr(obj, prop.name, default)
         obj.setEditorMode(prop.name, prop.editor_mode)

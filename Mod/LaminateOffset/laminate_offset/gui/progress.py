@@ -1,41 +1,58 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A progress dialog with Cancel for work that lasts longer than a moment. Esc cancels too."""
+"""Long work in another thread, under a progress dialog with Cancel. Esc cancels too. The GUI stays alive meanwhile."""
 
-import contextlib
-from typing import Iterator
+from typing import Any
 
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ..features.progress import Report
+from ..features.progress import Work
+from .texts import translate
+from .worker import Job
 
 #: Shorter work shows no dialog [ms].
 PATIENCE_MS = 700
 
 _STEPS = 1000
+_PAUSE_MS = 15
 
 
-@contextlib.contextmanager
-def dialog(title: str) -> Iterator[Report]:
-    """Shows progress while the context lasts; the yielded report returns False once the user cancelled."""
+def run(title: str, work: Work) -> Any:
+    """Does the work, and returns its result or raises what it raised. The user sees how far it is and can cancel it.
+
+    Until the dialog stands, keys and clicks wait: nothing may change what is being computed.
+    """
+    job = Job(work)
+    box = None
+    clock = QtCore.QElapsedTimer()
+    clock.start()
+    try:
+        while not job.wait(_PAUSE_MS / 1000.0):
+            if box is None and clock.elapsed() > PATIENCE_MS:
+                box = _dialog(title)
+            if box is not None:
+                box.setValue(min(int(job.fraction * _STEPS), _STEPS))
+                if box.wasCanceled():
+                    job.cancel()
+            flags = QtCore.QEventLoop.ExcludeUserInputEvents if box is None else QtCore.QEventLoop.AllEvents
+            QtGui.QApplication.processEvents(flags)
+    finally:
+        if box is not None:
+            box.close()
+            box.deleteLater()
+    return job.result()
+
+
+def _dialog(title: str) -> Any:
     box = QtGui.QProgressDialog(FreeCADGui.getMainWindow())
     box.setObjectName("LaminateOffsetProgress")
     box.setWindowTitle("Laminate Offset")
-    box.setLabelText(f"Computing {title}...")
+    box.setLabelText(translate("LaminateOffset", "Computing {title}...").format(title=title))
     box.setRange(0, _STEPS)
     box.setWindowModality(QtCore.Qt.ApplicationModal)
-    box.setMinimumDuration(PATIENCE_MS)
+    box.setMinimumDuration(0)
     box.setAutoReset(False)
     box.setAutoClose(False)
     box.setValue(0)
-
-    def report(fraction: float) -> bool:
-        # A modal dialog handles its pending events here, which is how Cancel and Esc get through.
-        box.setValue(min(int(fraction * _STEPS), _STEPS))
-        return not box.wasCanceled()
-
-    try:
-        yield report
-    finally:
-        box.close()
-        box.deleteLater()
+    box.show()
+    return box

@@ -3,6 +3,8 @@
 
 from typing import Any, Callable, List, Tuple
 
+import FreeCAD as App
+
 from ..features.base_face import is_face
 
 #: An object and paths of its faces, e.g. (Part, ["Body.Pad.Face1"]).
@@ -76,7 +78,35 @@ class FacePicker:
 
     def addSelection(self, doc: str, obj: str, sub: str, _point: Any) -> None:
         """Called by FreeCAD for each addition to the selection."""
-        import FreeCAD
-
         if is_face(sub):
-            self._picked(FreeCAD.getDocument(doc).getObject(obj), sub)
+            self._picked(App.getDocument(doc).getObject(obj), sub)
+
+
+class PointPicker:
+    """While started, hands every picked point to a callback as (object, point in mm)."""
+
+    def __init__(self, picked: Callable[[Any, Any], None]):
+        self._picked = picked
+        self._running = False
+
+    def start(self) -> None:
+        """Points are heeded from now on."""
+        import FreeCADGui
+
+        if not self._running:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addObserver(self, 0)
+            self._running = True
+
+    def stop(self) -> None:
+        """Points are no longer heeded. Harmless when not started."""
+        import FreeCADGui
+
+        if self._running:
+            FreeCADGui.Selection.removeObserver(self)
+            self._running = False
+
+    def addSelection(self, doc: str, obj: str, sub: str, point: Any) -> None:
+        """Called by FreeCAD for each addition to the selection; the point is the origin when it was not the mouse."""
+        if sub:
+            self._picked(App.getDocument(doc).getObject(obj), point)

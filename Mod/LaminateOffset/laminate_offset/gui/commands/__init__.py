@@ -3,20 +3,50 @@
 
 from typing import List
 
+from .core_sample import CoreSampleCommand
+from .deviation_map import DeviationMapCommand
+from .extend_face import ExtendFaceCommand
+from .layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from .offset_face import OffsetFaceCommand
+from .offset_limits import OffsetLimitsCommand
+from .ply_stack import PlyStackCommand
 
-_COMMANDS = (OffsetFaceCommand,)
+#: Between groups stands None.
+_COMMANDS = (
+    OffsetFaceCommand,
+    ExtendFaceCommand,
+    OffsetLimitsCommand,
+    DeviationMapCommand,
+    None,
+    LayupCommand,
+    ImportLayupCommand,
+    ExportLayupCommand,
+    None,
+    PlyStackCommand,
+    CoreSampleCommand,
+)
 
 
 def names() -> List[str]:
     """Names under which the commands are known to FreeCAD."""
-    return [command.NAME for command in _COMMANDS]
+    return [command.NAME for command in _COMMANDS if command is not None]
+
+
+def layout() -> List[str]:
+    """The same with separators between the groups, for toolbar and menu."""
+    return ["Separator" if command is None else command.NAME for command in _COMMANDS]
+
+
+def active_names() -> List[str]:
+    """Names of the commands that can do something now."""
+    return [command.NAME for command in _COMMANDS if command is not None and command().IsActive()]
 
 
 def register() -> List[str]:
-    """Adds the commands to FreeCAD. Returns their names."""
+    """Adds the commands to FreeCAD. Returns their layout."""
     import FreeCADGui
 
     for command in _COMMANDS:
-        FreeCADGui.addCommand(command.NAME, command())
-    return names()
+        if command is not None:
+            FreeCADGui.addCommand(command.NAME, command())
+    return layout()

@@ -6,54 +6,37 @@ from typing import Any, List
 import FreeCAD as App
 
 from ...features.offset_face import add_offset_face, set_base
+from .. import preferences
 from ..selection import Link, selected_faces
+from .base import FaceCommand
 
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 
 
-class OffsetFaceCommand:
-    """Makes an offset of the selected faces and opens its task panel."""
+class OffsetFaceCommand(FaceCommand):
+    """Makes an offset of the selected faces, of one or several objects, and opens its task panel."""
 
     NAME = "LaminateOffset_OffsetFace"
+    MENU = QT_TRANSLATE_NOOP("LaminateOffset_OffsetFace", "Offset Face")
+    TIP = QT_TRANSLATE_NOOP(
+        "LaminateOffset_OffsetFace",
+        "Offsets the selected faces by a constant distance along their normals, within a tolerance",
+    )
+    ACCEL = "L, O"
 
-    def GetResources(self) -> dict:
-        """Icon, texts and shortcut for FreeCAD."""
-        return {
-            "Pixmap": self.NAME,
-            "MenuText": QT_TRANSLATE_NOOP("LaminateOffset_OffsetFace", "Offset Face"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "LaminateOffset_OffsetFace",
-                "Offsets the selected faces by a constant distance along their normals, within a tolerance",
-            ),
-            "Accel": "L, O",
-        }
-
-    def IsActive(self) -> bool:
-        """There is a document, and no task panel that would be in the way."""
-        import FreeCADGui
-
-        return App.ActiveDocument is not None and not FreeCADGui.Control.activeDialog()
-
-    def Activated(self) -> None:
-        """Opens the panel on new offsets; OK keeps them, Cancel takes them back."""
+    def run(self, doc: Any) -> None:
+        """Opens the panel on a new offset; OK keeps it, Cancel takes it back."""
         from ..panels.offset_face import open_new
 
-        doc = App.ActiveDocument
-        links = selected_faces()
-        doc.openTransaction("Offset Face")
-        try:
-            open_new(doc, self.create(links, doc))
-        except Exception:
-            doc.abortTransaction()
-            raise
+        open_new(self.create(selected_faces(), doc))
 
     @staticmethod
-    def create(links: List[Link], doc: Any) -> List[Any]:
-        """One offset object per link, not yet computed; an object without a base when there is no link."""
-        features = []
-        for base, subs in links or [(None, [])]:
-            feature = add_offset_face(doc)
-            if base is not None:
-                set_base(feature, base, subs)
-            features.append(feature)
-        return features
+    def create(links: List[Link], doc: Any) -> Any:
+        """An offset of all linked faces, not yet computed; without links it has no base."""
+        feature = add_offset_face(doc)
+        feature.Tolerance = preferences.tolerance()
+        feature.Method = preferences.method()
+        feature.MaxDegree = preferences.max_degree()
+        if links:
+            set_base(feature, links)
+        return feature

@@ -1,202 +1,163 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel that makes and edits offset faces."""
+"""The task panel that makes and edits offset faces. Its live preview is computed in another thread."""
 
 from typing import Any, List
 
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from ...features.base_face import BaseFaceError, describe, linked_faces, rooted
-from ...features.offset_face import set_base
+from ... import messages
+from ...features.base_face import BaseFaceError, linked_faces
+from ...features.offset_face import OffsetRequest, describe_results, prepare, set_base
+from ...messages import feasible_range
 from ..direction_arrow import DirectionArrow
-from ..resources import form
-from ..selection import FacePicker
+from ..preview import Preview
+from ..selection import Link
+from ..texts import translate
+from ..worker import Job, Newest
+from . import base
+from .base import FacePanel
 
 #: Wait after the last change before a live preview is computed [ms].
 PREVIEW_DELAY_MS = 350
 
+_POLL_MS = 30
 
-def open_new(doc: Any, features: List[Any]) -> None:
-    """Shows the panel on objects that were just made in an open transaction."""
-    panel = OffsetFacePanel(doc, features)
-    FreeCADGui.Control.showDialog(panel)
-    panel.start()
+
+def open_new(feature: Any) -> None:
+    """Shows the panel on an object that was just made in an open transaction."""
+    base.show(OffsetFacePanel(feature))
 
 
 def edit(feature: Any) -> None:
     """Shows the panel on an existing object, in a transaction of its own."""
-    doc = feature.Document
-    doc.openTransaction(f"Edit {feature.Label}")
-    panel = OffsetFacePanel(doc, [feature])
-    FreeCADGui.Control.showDialog(panel)
-    panel.start()
+    base.edit(OffsetFacePanel, feature)
 
 
-class OffsetFacePanel:
-    """Edits one or more offset objects at once; FreeCAD calls the methods with its names (accept, reject...)."""
+class OffsetFacePanel(FacePanel):
+    """Edits one offset."""
 
-    def __init__(self, doc: Any, features: List[Any]):
-        self._doc = doc
-        self._features = features
-        self._picker = FacePicker(features, self._picked)
-        self._arrow = DirectionArrow(FreeCADGui.getDocument(doc.Name).ActiveView)
-        self.form = FreeCADGui.PySideUic.loadUi(form("OffsetFacePanel"))
-        self._timer = QtCore.QTimer(self.form)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PREVIEW_DELAY_MS)
-        self._fill()
-        self._connect()
+    FORM = "OffsetFacePanel"
+    LENGTHS = {"distance": "Distance", "tolerance": "Tolerance"}
+    CHOICES = {"method": "Method"}
+    NUMBERS = {"maxDegree": "MaxDegree"}
+
+    def __init__(self, feature: Any):
+        view = FreeCADGui.getDocument(feature.Document.Name).ActiveView
+        self._arrow = DirectionArrow(view)
+        self._preview = Preview(view)
+        self._newest = Newest(self._previewed)
+        super().__init__(feature)
+        self.form.progress.setVisible(False)
+        self._delay = QtCore.QTimer(self.form)
+        self._delay.setSingleShot(True)
+        self._delay.setInterval(PREVIEW_DELAY_MS)
+        self._delay.timeout.connect(self._start_preview)
+        self._poll = QtCore.QTimer(self.form)
+        self._poll.setInterval(_POLL_MS)
+        self._poll.timeout.connect(self._watch)
+        self.form.flip.clicked.connect(self._flip)
+        self.form.livePreview.toggled.connect(self._toggle_live)
 
     def start(self) -> None:
         """The panel is visible: ask for a face when there is none, and show the direction."""
-        # The colour of the selection would hide the base and the preview.
-        FreeCADGui.Selection.clearSelection()
+        super().start()
         self._show_direction()
-        if self._has_base():
-            self._show_result()
+        self._show_range(self._feature.Limits)
+
+    def set_links(self, links: List[Link]) -> None:
+        """Links these faces and no others."""
+        set_base(self._feature, links)
+
+    def faces_changed(self) -> None:
+        """Other faces are picked than before."""
+        self._show_range("")
+        super().faces_changed()
+        self._show_direction()
+
+    def changed(self) -> None:
+        """Starts a live preview after a short wait; without one, asks for it."""
+        self._stop_preview()
+        self._show_direction()
+        if self.form.livePreview.isChecked() and self.has_base():
+            self._delay.start()
         else:
-            self.form.pick.setChecked(True)
+            super().changed()
 
-    def getStandardButtons(self) -> int:
-        """OK and Cancel."""
-        return int(QtGui.QDialogButtonBox.Ok) | int(QtGui.QDialogButtonBox.Cancel)
+    def compute(self, *checked: Any) -> bool:
+        """Recomputes the object; what a live preview has computed is not computed again."""
+        self._stop_preview()
+        return super().compute(*checked)
 
-    def accept(self) -> bool:
-        """Keeps the offset, unless it was refused: then the panel stays and says why."""
-        if not self._compute():
-            return False
-        self._close()
-        self._doc.recompute()
-        self._doc.commitTransaction()
-        self._end_editing()
-        return True
+    def show_result(self) -> None:
+        """Shows what the last recompute told."""
+        super().show_result()
+        self._show_range(self._feature.Limits)
 
-    def reject(self) -> bool:
-        """Takes back everything since the panel was opened."""
-        self._close()
-        self._doc.abortTransaction()
-        self._end_editing()
-        self._doc.recompute()
-        return True
-
-    def _fill(self) -> None:
-        first = self._features[0]
-        for box, name in ((self.form.distance, "Distance"), (self.form.tolerance, "Tolerance")):
-            box.setProperty("value", getattr(first, name))
-            FreeCADGui.ExpressionBinding(box).bind(first, name)
-        # With several objects it would not be clear whose face is replaced.
-        self.form.pick.setEnabled(len(self._features) == 1)
-        self._show_faces()
-
-    def _connect(self) -> None:
-        self.form.distance.valueChanged.connect(self._distance_changed)
-        self.form.tolerance.valueChanged.connect(self._tolerance_changed)
-        self.form.flip.clicked.connect(self._flip)
-        self.form.preview.clicked.connect(self._compute)
-        self.form.pick.toggled.connect(self._toggle_picking)
-        self.form.livePreview.toggled.connect(self._changed)
-        self._timer.timeout.connect(self._compute)
-
-    def _distance_changed(self, *_value: Any) -> None:
-        self._assign("Distance", self.form.distance.property("rawValue"))
-        self._show_direction()
-        self._changed()
-
-    def _tolerance_changed(self, *_value: Any) -> None:
-        self._assign("Tolerance", self.form.tolerance.property("rawValue"))
-        self._changed()
-
-    def _assign(self, name: str, value: float) -> None:
-        """Gives every object the value [mm], or the expression that the first one got from the f(x) button."""
-        expression = dict(self._features[0].ExpressionEngine).get(name)
-        for feature in self._features:
-            feature.setExpression(name, expression)
-            setattr(feature, name, value)
+    def closing(self) -> None:
+        """Called before the panel closes."""
+        super().closing()
+        self._stop_preview()
+        self._arrow.remove()
 
     def _flip(self) -> None:
-        first = self._features[0]
-        expression = dict(first.ExpressionEngine).get("Distance")
+        expression = dict(self._feature.ExpressionEngine).get("Distance")
         if expression:
-            first.setExpression("Distance", f"-({expression})")
-        self.form.distance.setProperty("value", -first.Distance)
+            self._feature.setExpression("Distance", f"-({expression})")
+        self.form.distance.setProperty("value", -self._feature.Distance)
 
-    def _changed(self, *_state: Any) -> None:
-        if self.form.livePreview.isChecked():
-            self._timer.start()
-        else:
-            self._timer.stop()
-            self._tell("Press Preview to see the offset, or OK to make it.")
+    def _toggle_live(self, _on: bool) -> None:
+        self.changed()
 
-    def _toggle_picking(self, picking: bool) -> None:
-        if picking:
-            self._picker.start()
-            self._tell("Click a face in the 3-D view.")
-        else:
-            self._picker.stop()
-
-    def _picked(self, base: Any, sub: str) -> None:
-        """The first picked face replaces the link; a further face of the same object joins it."""
-        feature = self._features[0]
-        root, path = rooted(base, sub)
-        old = list(feature.Base[1]) if self._adds_to(feature, root) else []
-        set_base(feature, root, old + [path] if path not in old else old)
-        self._show_faces()
-        self._show_direction()
-        self._changed()
-
-    def _adds_to(self, feature: Any, root: Any) -> bool:
-        keys = QtGui.QApplication.keyboardModifiers()
-        return bool(keys & QtCore.Qt.ControlModifier) and feature.Base is not None and feature.Base[0] == root
-
-    def _has_base(self) -> bool:
-        return all(feature.Base is not None and feature.Base[1] for feature in self._features)
-
-    def _show_faces(self) -> None:
-        texts = []
-        for feature in self._features:
-            if feature.Base is not None and feature.Base[0] is not None:
-                base, subs = feature.Base
-                texts.append(", ".join(describe(base, sub) for sub in subs))
-        self.form.faces.setText("; ".join(texts))
+    def _show_range(self, text: str) -> None:
+        self.form.range.setText(text or translate("OffsetFacePanel", "known after the first result"))
 
     def _show_direction(self) -> None:
-        faces: List[Any] = []
-        for feature in self._features:
-            try:
-                faces.extend(face for _, face in linked_faces(feature))
-            except BaseFaceError:
-                continue
-        self._arrow.show(faces, self._features[0].Distance.Value)
+        try:
+            faces = [face for _, face in linked_faces(self._feature.Base)]
+        except BaseFaceError:
+            faces = []
+        self._arrow.show(faces, self._feature.Distance.Value)
 
-    def _compute(self, *_checked: Any) -> bool:
-        """Recomputes every object and shows the outcome. Returns whether all are valid."""
-        self._timer.stop()
-        if not self._has_base():
-            self._tell("Pick a face first: press Pick and click a face in the 3-D view.", refused=True)
-            return False
-        for feature in self._features:
-            feature.touch()
-        self._doc.recompute(self._features)
-        self._show_result()
-        return all(feature.Status == "ok" for feature in self._features)
+    def _start_preview(self) -> None:
+        """Gives what is asked for now to the worker."""
+        try:
+            request = OffsetRequest.of(self._feature)
+        except BaseFaceError as error:
+            self.tell(str(error), refused=True)
+            return
+        self._preview.prepare([face for _, face in request.faces])
+        self._newest.start(lambda report: (request, request.compute(report)))
+        self._poll.start()
+        self.form.progress.setVisible(True)
+        self.tell(translate("OffsetFacePanel", "Computing the preview..."))
 
-    def _show_result(self) -> None:
-        refused = [feature.Message for feature in self._features if feature.Status != "ok"]
-        messages = refused or [feature.Message for feature in self._features]
-        self._tell("\n".join(messages), refused=bool(refused))
+    def _watch(self) -> None:
+        self.form.progress.setValue(int(1000 * self._newest.fraction))
+        self._newest.poll()
+        if not self._newest.busy:
+            self._poll.stop()
+            self.form.progress.setVisible(False)
 
-    def _tell(self, text: str, refused: bool = False) -> None:
-        self.form.result.setStyleSheet("color: #cc0000;" if refused else "")
-        self.form.result.setText(text)
+    def _stop_preview(self) -> None:
+        """Ends what is being computed and takes the preview away: it no longer shows what is asked for."""
+        if not hasattr(self, "_delay"):
+            return  # still being filled
+        self._delay.stop()
+        self._newest.cancel()
+        self._preview.remove()
 
-    def _close(self) -> None:
-        self._timer.stop()
-        self._picker.stop()
-        self._arrow.remove()
-        FreeCADGui.Control.closeDialog()
-
-    def _end_editing(self) -> None:
-        """Only after the transaction has ended: FreeCAD commits an open one here."""
-        gui_document = FreeCADGui.getDocument(self._doc.Name)
-        if gui_document.getInEdit() is not None:
-            gui_document.resetEdit()
+    def _previewed(self, job: Job) -> None:
+        """The worker has an outcome of what is asked for."""
+        try:
+            request, results = job.result()
+        except Exception as error:  # a refusal, or a defect that the user must see as well
+            self.tell(messages.refusal(error, getattr(error, "face", "")), refused=True)
+            self._show_range(feasible_range(getattr(error, "feasible_range", None)))
+            self._preview.mark(getattr(error, "where", None), getattr(error, "status", ""))
+            return
+        prepare(self._feature, request, results)
+        elapsed = sum(result.report.elapsed_ms for result in results)
+        self.tell(f"{describe_results(results)}; {elapsed:.0f} ms")
+        self._show_range("; ".join(feasible_range(result.report.to_dict().get("limits")) for result in results))
+        self._preview.show(self._feature.Distance.Value)

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plies of a layup on a face: one compound, or an object for every ply."""
+
+import json
+import math
+from typing import Any, Dict, List, Optional
+
+import Part
+
+import laminate_offset as lo
+
+from ..stack import SURFACES
+from ..view_settings import OFFSET_LOOK, ViewProvider
+from . import progress
+from .base_face import BaseFaceError, container_placement, linked_faces, place_result, rooted
+from .layup import layup_of
+from .outcome import Feature, accept, add_feature
+from .properties import READ_ONLY, Property
+
+OUTPUTS = ["One compound", "Named plies"]
+COLOURS = ["by angle", "by material"]
+
+
+class PlyStackFeature(Feature):
+    """Proxy of the Part::FeaturePython object. Its shape is a compound of the plies' surfaces, from the tool outwards."""
+
+    VIEW_PROVIDER = ViewProvider("laminate_offset.gui.view_providers.ply_stack", "PlyStackViewProvider", OFFSET_LOOK)
+    PROPERTIES = (
+        Property("App::PropertyLinkSub", "Base", "Stack", "The face that the plies are laid on"),
+        Property("App::PropertyLink", "Layup", "Stack", "The layup"),
+        Property("App::PropertyLength", "Tolerance", "Stack", "Largest deviation of every surface", 1e-3),
+        Property("App::PropertyEnumeration", "Surface", "Stack", "Which surface of a ply is made", list(SURFACES)),
+        Property(
+            "App::PropertyIntegerConstraint",
+            "MaxDegree",
+            "Stack",
+            "Highest degree of the surfaces, 3 to 7",
+            (7, 3, 7, 1),
+        ),
+        Property("App::PropertyEnumeration", "Output", "Stack", "One compound, or an object for every ply", OUTPUTS),
+        Property("App::PropertyEnumeration", "Colours", "Stack", "What the plies' colours stand for", COLOURS),
+        Property("App::PropertyLength", "Thickness", "Report", "Of the whole stack", 0.0, READ_ONLY),
+        Property("App::PropertyInteger", "PlyCount", "Report", "Plies of the whole stack", 0, READ_ONLY),
+        Property(
+            "App::PropertyLength", "CertifiedError", "Report", "Proven bound of all surfaces", math.nan, READ_ONLY
+        ),
+        Property(
+            "App::PropertyLength", "EdgeError", "Report", "Bound of the edge curves' deviation", math.nan, READ_ONLY
+        ),
+    )
+
+    def compute(self, obj: Any) -> None:
+        """Lays the plies, from one fit."""
+        stack = _stack(obj)
+        place_result(obj, [stack.to_shape()])
+        accept(obj, stack.summary(), stack.ply_reports())
+        obj.Thickness = stack.report["thickness"]
+        obj.PlyCount = len(stack.plies)
+        obj.CertifiedError = _figure(stack.report["certified_error"])
+        obj.EdgeError = _figure(stack.report["edge_error"])
+        _match_plies(obj)
+
+    def refused(self, obj: Any) -> None:
+        """No figure of an older result is left standing."""
+        obj.Thickness, obj.PlyCount = 0, 0
+        obj.CertifiedError = obj.EdgeError = math.nan
+
+
+class PlyFeature(Feature):
+    """Proxy of one ply of a stack, a Part::FeaturePython object."""
+
+    VIEW_PROVIDER = ViewProvider("laminate_offset.gui.view_providers.ply_stack", "PlyViewProvider", OFFSET_LOOK)
+    PROPERTIES = (
+        Property("App::PropertyLink", "Stack", "Ply", "The stack that the ply belongs to", None, READ_ONLY),
+        Property("App::PropertyInteger", "Number", "Ply", "From 1, outwards from the tool", 0, READ_ONLY),
+        Property("App::PropertyString", "PlyName", "Ply", "Its name in the layup", "", READ_ONLY),
+        Property("App::PropertyString", "Material", "Ply", "Its material", "", READ_ONLY),
+        Property("App::PropertyAngle", "FibreAngle", "Ply", "Of the fibres, from the rosette's axis", 0.0, READ_ONLY),
+        Property("App::PropertyLength", "Thickness", "Ply", "Of the cured ply", 0.0, READ_ONLY),
+        Property("App::PropertyDistance", "Bottom", "Ply", "Signed distance of the side to the tool", 0.0, READ_ONLY),
+        Property("App::PropertyDistance", "Top", "Ply", "Signed distance of the side away from it", 0.0, READ_ONLY),
+    )
+
+    def compute(self, obj: Any) -> None:
+        """Takes its surface from the stack."""
+        if obj.Stack is None:
+            raise BaseFaceError("null-shape", "The stack of this ply was deleted; delete the ply, too.")
+        if obj.Stack.Status != "ok":
+            raise BaseFaceError("null-shape", f"{obj.Stack.Label} was refused: {obj.Stack.Message}")
+        reports = ply_reports(obj.Stack)
+        if obj.Number > len(reports):
+            # The stack has asked FreeCAD to delete this object, which it does only where nothing fails.
+            obj.Shape = Part.Shape()
+            return
+        report = reports[obj.Number - 1]
+        shape = obj.Stack.Shape.childShapes(True, True)[obj.Number - 1]
+        placement = container_placement(obj.Stack)
+        if not placement.isIdentity():
+            shape.Placement = placement.multiply(shape.Placement)
+        place_result(obj, [shape])
+        _describe(obj, report)
+
+
+def make_ply_stack(
+    base_obj: Any, sub: str, layup: Any, tolerance: float = 1e-3, output: str = OUTPUTS[0], name: Optional[str] = None
+) -> Any:
+    """Makes a parametric ply stack and recomputes it. Works with and without the GUI.
+
+    base_obj, sub: the object and its face, e.g. "Face1" or "Body.Pad.Face1" below a container.
+    layup: the Layup object of the document.
+    tolerance: largest deviation [mm] of every surface.
+    output: one of OUTPUTS.
+    """
+    feature = add_ply_stack(base_obj.Document, name)
+    set_base(feature, base_obj, sub)
+    feature.Layup = layup
+    feature.Tolerance = tolerance
+    feature.Output = output
+    feature.Document.recompute()
+    if output == OUTPUTS[1]:
+        feature.Document.recompute()  # the plies that the first pass has made
+    return feature
+
+
+def add_ply_stack(doc: Any, name: Optional[str] = None) -> Any:
+    """Adds a stack that has neither face nor layup yet."""
+    feature = add_feature(doc, PlyStackFeature, name or "PlyStack")
+    feature.Surface = "top"
+    return feature
+
+
+def set_base(feature: Any, base: Any, sub: str) -> None:
+    """Links the face, rooted at the outermost container."""
+    root, path = rooted(base, sub)
+    feature.Base = (root, [path])
+
+
+def plies_of(stack: Any) -> List[Any]:
+    """The ply objects of a stack, from the tool outwards."""
+    plies = [obj for obj in stack.InList if isinstance(getattr(obj, "Proxy", None), PlyFeature) and obj.Stack == stack]
+    return sorted(plies, key=lambda ply: ply.Number)
+
+
+def ply_reports(stack: Any) -> List[Dict[str, Any]]:
+    """What the last good recompute told about every ply; [] when there was none."""
+    return json.loads(stack.ReportJson) if stack.Status == "ok" else []
+
+
+def _stack(obj: Any) -> Any:
+    faces = linked_faces(obj.Base)
+    if len(faces) != 1:
+        raise BaseFaceError("not-a-face", "A stack is laid on one face; edit the stack and pick one.")
+    if obj.Layup is None:
+        raise BaseFaceError("null-shape", "No layup is chosen; edit the stack and choose one.")
+    (name, face), layup = faces[0], layup_of(obj.Layup)
+    options = {"tolerance": obj.Tolerance.Value, "surface": obj.Surface, "max_degree": obj.MaxDegree}
+    try:
+        return progress.run(obj.Label, lambda report: lo.stack_plies(face, layup, progress=report, **options))
+    except lo.OffsetError as error:
+        error.face = name
+        raise
+
+
+def _match_plies(stack: Any) -> None:
+    """Makes the ply objects that are missing and deletes those that are too many."""
+    plies = plies_of(stack)
+    wanted = stack.PlyCount if stack.Output == OUTPUTS[1] else 0
+    for number in range(len(plies) + 1, wanted + 1):
+        ply = add_feature(stack.Document, PlyFeature, "Ply")
+        ply.Stack, ply.Number = stack, number
+        ply.Proxy.execute(ply)
+        ply.purgeTouched()
+    for ply in plies[wanted:]:
+        stack.Document.removeObject(ply.Name)
+
+
+def _describe(ply: Any, report: Dict[str, Any]) -> None:
+    if ply.PlyName != report["name"]:
+        ply.PlyName = ply.Label = report["name"]
+    ply.Material = report["material"]
+    ply.FibreAngle = report["angle"]
+    ply.Thickness = report["thickness"]
+    ply.Bottom, ply.Top = report["bottom"], report["top"]
+    accept(ply, f"{report['material']}, {report['angle']:g} deg, {report['thickness']:g} mm", [report])
+
+
+def _figure(value: Optional[float]) -> float:
+    return math.nan if value is None else value

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel that makes and edits ply stacks."""
+
+from typing import Any, List
+
+from ...features.layup import LayupFeature, make_layup
+from ...features.ply_stack import set_base
+from ..selection import Link
+from ..texts import translate
+from . import base
+from .base import FacePanel
+
+
+def open_new(feature: Any) -> None:
+    """Shows the panel on an object that was just made in an open transaction."""
+    base.show(PlyStackPanel(feature))
+
+
+def edit(feature: Any) -> None:
+    """Shows the panel on an existing object, in a transaction of its own."""
+    base.edit(PlyStackPanel, feature)
+
+
+def layups(doc: Any) -> List[Any]:
+    """The document's layups."""
+    return [obj for obj in doc.Objects if isinstance(getattr(obj, "Proxy", None), LayupFeature)]
+
+
+class PlyStackPanel(FacePanel):
+    """Edits one stack."""
+
+    FORM = "PlyStackPanel"
+    MANY = False
+    LENGTHS = {"tolerance": "Tolerance"}
+    CHOICES = {"surface": "Surface", "output": "Output", "colours": "Colours"}
+
+    def __init__(self, feature: Any):
+        self._layups: List[Any] = []
+        super().__init__(feature)
+        self._show_layups()
+        self.form.layup.currentIndexChanged.connect(self._layup_chosen)
+        self.form.newLayup.clicked.connect(self._new_layup)
+
+    def set_links(self, links: List[Link]) -> None:
+        """Links the last of these faces."""
+        base_object, subs = links[-1]
+        set_base(self._feature, base_object, list(subs)[-1])
+
+    def missing(self) -> str:
+        """A face or a layup, when there is none."""
+        if not super().missing() and self._feature.Layup is None:
+            return translate("PlyStackPanel", "Choose a layup first, or press New to make one.")
+        return super().missing()
+
+    def _show_layups(self) -> None:
+        self._layups = layups(self._doc)
+        self.form.layup.blockSignals(True)
+        self.form.layup.clear()
+        self.form.layup.addItems([f"{layup.Label} ({layup.Notation or layup.Message})" for layup in self._layups])
+        if self._feature.Layup is None and self._layups:
+            self._feature.Layup = self._layups[-1]
+        if self._feature.Layup in self._layups:
+            self.form.layup.setCurrentIndex(self._layups.index(self._feature.Layup))
+        self.form.layup.blockSignals(False)
+
+    def _layup_chosen(self, index: int) -> None:
+        if 0 <= index < len(self._layups):
+            self.assign("Layup", self._layups[index])
+
+    def _new_layup(self) -> None:
+        self._feature.Layup = make_layup(self._doc)
+        self._show_layups()
+        self.changed()
