@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// offset_benchmarks [--quick | --full | --corpus | --generated | --extension | --prototype | --memory | --nearest | --projection] [OUTPUT_FOLDER]
+// offset_benchmarks [--quick | --full | --corpus | --generated | --extension | --prototype | --memory | --nearest | --projection | --stack] [OUTPUT_FOLDER]
 #include "comparison.h"
 #include "corpus.h"
 #include "extension.h"
 #include "nearest.h"
 #include "projection.h"
+#include "stack.h"
 
 #include <cstring>
 #include <fstream>
@@ -25,6 +26,7 @@ constexpr const char *usage = R"(offset_benchmarks [MODE] [OUTPUT_FOLDER]
   --memory     peak memory at 128x128 poles
   --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face
   --projection every edge of every real face put back onto its face
+  --stack      16 and 200 plies on two fuselage panels: time, memory, OpenCASCADE ply by ply
   --nearest-quick  the same of every fifth face, 2,000 a face
 Tables go to the standard output, comparison.csv, worst.txt, corpus.csv and extension.csv into OUTPUT_FOLDER (default: here).
 )";
@@ -53,6 +55,8 @@ int run(const std::string &mode, const std::filesystem::path &folder)
         run_nearest(real_faces(true), 100000, std::cout);
     if (mode == "--projection")
         run_projection(real_faces(false), false, std::cout);
+    if (mode == "--stack")
+        run_stacks(std::cout);
     if (mode == "--nearest-quick")
         run_nearest(real_faces(true, 5), 2000, std::cout);
     if (mode == "--extension")
@@ -90,7 +94,7 @@ int main(int argc, char **argv)
     }
     const bool known = mode == "--quick" || mode == "--full" || mode == "--generated" || mode == "--corpus" ||
                        mode == "--extension" || mode == "--prototype" || mode == "--memory" || mode == "--nearest" ||
-                       mode == "--projection" || mode == "--nearest-quick";
+                       mode == "--projection" || mode == "--stack" || mode == "--nearest-quick";
     if (!known)
     {
         std::cerr << usage;

@@ -4,6 +4,7 @@
 import json
 from pathlib import Path
 
+import laminate_offset as lo
 import pytest
 import sample_shapes
 from laminate_offset import files
@@ -44,3 +45,18 @@ def test_a_nose_mould_face_by_face(command_line, data_dir: Path, tmp_path: Path)
         assert sample_shapes.deviation(bases[number], face, 1.0) <= 0.001, number + 1
     for report in reports:
         assert report["status"] == "ok" or (report["message"] and f"face {report['face']} refused" in run.stderr)
+
+
+@pytest.mark.parametrize("direction", ["normal", "reversed"])
+def test_eight_plies_on_a_nose_mould_face_by_face(data_dir: Path, direction: str) -> None:
+    layup = lo.layup_from_notation("[0/45/-45/90]s", "IM7-8552-134")
+    made = 0
+    for number, face in enumerate(files.read_faces(str(data_dir / MOULD)), start=1):
+        stack = lo.stack_plies(face, layup, direction=direction, solids=True)
+        assert stack.report["certified_error"] is None or stack.report["certified_error"] <= 1e-3, number
+        figures = stack.mass_properties()
+        for ply, figure in zip(stack.plies, figures.plies):
+            assert ply.face.isValid() and ply.solid.isValid() and ply.solid.isClosed(), number
+            assert ply.solid.Volume == pytest.approx(figure.volume, abs=2e-3 * figure.area), number
+        made += 1
+    assert made == 59
