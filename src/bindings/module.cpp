@@ -11,6 +11,7 @@
 #include "offset_options_binding.h"
 #include "offset_stack_binding.h"
 #include "ply_solids_binding.h"
+#include "ply_stack_binding.h"
 #include "project_curve_binding.h"
 #include "shape_exchange.h"
 #include "thread_limit_binding.h"
@@ -58,4 +59,5 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_ply_solids(module);
     laminate_offset::python::bind_evaluate_face(module);
     laminate_offset::python::bind_thread_limit(module);
+    laminate_offset::python::bind_ply_stack(module);
 }

@@ -36,6 +36,7 @@ from .api import (
     offset_limits,
     project_curve,
 )
+from .boundaries import Boundary
 from .core_sample import CoreLayer, CoreSample
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
@@ -59,6 +60,7 @@ select_at_import()
 
 __version__: str = _core.__version__
 __all__ = [
+    "Boundary",
     "CoreLayer",
     "CoreSample",
     "CurveProjection",

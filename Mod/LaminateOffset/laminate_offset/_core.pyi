@@ -39,3 +39,16 @@ def project_curve(
 def round_trip(shape: Any, way: str) -> Any: ...
 def select_shape_exchange(way: str) -> None: ...
 def shape_exchange() -> str: ...
+def stack_plies(
+    shape: Any,
+    plies: Sequence[Tuple[float, Optional[int], float]],
+    boundaries: Sequence[Tuple[str, Any, str, Tuple[float, float, float]]],
+    tolerance: float = ...,
+    max_degree: Optional[int] = ...,
+    direction: float = ...,
+    start: float = ...,
+    ratio: float = ...,
+    ramp_length: Optional[float] = ...,
+    middle: bool = ...,
+    progress: Optional[Callable[[float], Optional[bool]]] = ...,
+) -> Tuple[List[Tuple[Any, Any, Any, Any]], float]: ...

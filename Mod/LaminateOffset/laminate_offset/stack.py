@@ -13,6 +13,7 @@ import Part
 
 from . import _core
 from .api import Length, Progress, millimetres
+from .boundaries import Boundaries, Stagger, check_names, named_boundaries
 from .core_sample import CoreSample, core_samples, line_points, stack_thickness
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
@@ -34,6 +35,8 @@ class StackPly:
         face: the surface that was asked for: the bottom, the middle or the top one.
         report: the OffsetReport of `face`.
         base_face: the part of the lay-up face that the ply covers.
+        over_ramp: whether `face` comes down over ramps of plies below; its distance from the lay-up face then varies,
+            and the one in the report is that where every ply below is present.
     """
 
     ply: PhysicalPly
@@ -42,6 +45,7 @@ class StackPly:
     face: "Part.Face"
     report: OffsetReport
     base_face: "Part.Face"
+    over_ramp: bool = False
     _stack: "Optional[PlyStack]" = field(default=None, repr=False, compare=False)
 
     @property
@@ -111,7 +115,7 @@ class PlyStack:
         plies: the StackPlys, from the tool outwards.
         report: the figures of the whole stack as a dict: plies, thickness, tolerance, the largest certified_error and
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
-            knots and trimming curves) and elapsed_ms.
+            knots and trimming curves), partial_plies (those with a boundary) and elapsed_ms.
         base_face: the lay-up face.
     """
 
@@ -233,6 +237,8 @@ class PlyStack:
                 "material": ply.ply.ply.material,
                 "angle": ply.ply.ply.angle,
                 "thickness": ply.ply.thickness,
+                "boundary": ply.ply.ply.boundary,
+                "over_ramp": ply.over_ramp,
                 "bottom": ply.ply.bottom,
                 "middle": ply.ply.middle,
                 "top": ply.ply.top,
@@ -252,11 +258,17 @@ def stack_plies(
     progress: Optional[Progress] = None,
     solids: bool = False,
     reduce: bool = False,
+    boundaries: Optional[Boundaries] = None,
+    drop_off: Length = 20.0,
+    stagger: Optional[Stagger] = None,
 ) -> PlyStack:
     """Lay the plies of a layup on a trimmed face.
 
     All surfaces come from one analysis and one fit whose error is proven for every distance of the stack, so that many
     plies cost little more than one. Neighbours share their surface: no gap, no overlap.
+
+    A ply with a boundary covers a part of the face. Where it ends, the plies above come down over a ramp; what is left
+    open below the ramp is a pocket of resin. Every ply keeps its thickness everywhere on its own part.
 
     Args:
         face: the lay-up surface, a Part.Face. Its orientation and placement count.
@@ -269,20 +281,34 @@ def stack_plies(
         solids: makes the plies' solids at once, so that one that cannot be made is refused here; they are made when
             first asked for otherwise.
         reduce: fits every surface on its own, with the fewest poles that its distance needs and a proof of its own;
-            takes a fit for every ply.
+            takes a fit for every ply. Stacks with boundaries are not reduced.
+        boundaries: what the layup's boundaries stand for: {"name": shape or Boundary}.
+        drop_off: length of a ramp as a multiple of the thickness of the ply that ends there, or a FreeCAD length.
+        stagger: distances in mm, or FreeCAD lengths, by which successive plies of one boundary keep inside of it: a
+            list for every boundary, or {"name": list}.
 
     Returns:
         PlyStack with .plies[i].face, .solid and .report, .top_face, .report, .to_shape(), .mass_properties().
 
     Raises:
-        LayupError: the layup is wrong, has no active ply, or a ply has a boundary: plies here cover the whole face.
+        LayupError: the layup is wrong, has no active ply, or a ply has a boundary that is not among `boundaries`.
         OffsetError: a distance of the stack was refused; says which, why, where, and what would work.
         ValueError: an argument is out of its range.
     """
     if surface not in SURFACES:
         raise ValueError(f"surface must be one of {', '.join(SURFACES)}; it is {surface!r}.")
     layup = _directed(_read(layup), direction)
-    plies = _whole_plies(layup)
+    known = named_boundaries(boundaries)
+    check_names(layup, tuple(known))
+    plies = _physical_plies(layup)
+    if any(ply.ply.boundary for ply in plies):
+        from .partial_stack import Laying, lay_partial_plies
+
+        how = Laying(millimetres(tolerance, "tolerance"), max_degree, surface, drop_off, stagger, progress)
+        stack: PlyStack = lay_partial_plies(face, layup, plies, known, how)
+        if solids:
+            stack.ply_solids()
+        return stack
     levels, distances = _levels(plies, surface)
     made, one_fit, elapsed = _core.offset_stack(
         face, distances, millimetres(tolerance, "tolerance"), max_degree, reduce, progress
@@ -292,7 +318,7 @@ def stack_plies(
         StackPly(ply, surfaces[ply.bottom][0], surfaces[ply.top][0], *surfaces[level], face)
         for ply, level in zip(plies, levels)
     ]
-    report = _stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
+    report = stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
     stack = PlyStack(layup, stacked, report, face)
     if solids:
         stack.ply_solids()
@@ -311,16 +337,13 @@ def _directed(layup: Layup, direction: Optional[str]) -> Layup:
     return layup if direction is None else replace(layup, direction=direction)
 
 
-def _whole_plies(layup: Layup) -> Tuple[PhysicalPly, ...]:
-    """The physical plies; refuses those that do not cover the whole face."""
+def _physical_plies(layup: Layup) -> Tuple[PhysicalPly, ...]:
+    """The physical plies; refuses a layup without any, and grid limits."""
     plies = layup.physical_plies()
     problems = [] if plies else [Problem("active", "no ply", "at least one active ply", unit="layup")]
     for row, ply in enumerate(layup.plies, start=1):
-        if ply.active and ply.boundary:
-            expected = "nothing: plies are laid on the whole face; trim the face, or leave the boundary out"
-            problems.append(Problem("boundary", repr(ply.boundary), expected, row, "ply"))
         if ply.active and ply.limits:
-            expected = "no grid limits: plies are laid on the whole face"
+            expected = "no grid limits: give boundaries instead"
             problems.append(Problem("limits", repr(dict(ply.limits)), expected, row, "ply"))
     if problems:
         raise LayupError("layup", problems)
@@ -334,9 +357,10 @@ def _levels(plies: Sequence[PhysicalPly], surface: str) -> Tuple[List[float], Li
     return levels, list(dict.fromkeys(needed))
 
 
-def _stack_report(
+def stack_report(
     layup: Layup, plies: Sequence[PhysicalPly], reports: Sequence[OffsetReport], one_fit: bool, elapsed: float
 ) -> Dict[str, Any]:
+    """The figures of a whole stack; see PlyStack.report."""
     return {
         "status": "ok",
         "plies": len(plies),
@@ -347,6 +371,7 @@ def _stack_report(
         "certified_error": _largest([report.certified_error for report in reports]),
         "edge_error": _largest([report.edge_error for report in reports]),
         "one_fit": one_fit,
+        "partial_plies": sum(1 for ply in plies if ply.ply.boundary),
         "elapsed_ms": elapsed,
     }
 

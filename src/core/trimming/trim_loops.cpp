@@ -68,7 +68,14 @@ std::vector<Eigen::Vector3d> exact_points(const EdgeContext &context, const std:
                                           const std::vector<double> &vs)
 {
     std::optional<gp_Pnt2d> singular;
-    return context.base.offset_grid(us, vs, context.distance, singular);
+    if (!context.varying)
+        return context.base.offset_grid(us, vs, context.distance, singular);
+    std::vector<Eigen::Vector3d> points = context.base.offset_grid(us, vs, 0.0, singular);
+    const std::vector<Eigen::Vector3d> raised = context.base.offset_grid(us, vs, 1.0, singular);
+    const std::vector<double> distances = context.varying->values(us, vs);
+    for (std::size_t i = 0; i < std::min(points.size(), raised.size()); ++i)
+        points[i] += distances[i] * (raised[i] - points[i]);
+    return raised.size() < points.size() ? raised : points;
 }
 
 //! On a plane the offset of an edge is its translate: no pcurve is involved and nothing is fitted.
@@ -77,7 +84,9 @@ Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &b
     const auto plane = Handle(Geom_Plane)::DownCast(context.input.surface);
     double first = 0.0;
     double last = 0.0;
-    const Handle(Geom_Curve) curve = plane.IsNull() ? nullptr : BRep_Tool::Curve(base.edge, first, last);
+    if (plane.IsNull() || context.varying)
+        return {};
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(base.edge, first, last);
     if (curve.IsNull() || first != base.first || last != base.last)
         return {};
     const gp_Vec normal = gp_Vec(plane->Position().XDirection()).Crossed(gp_Vec(plane->Position().YDirection()));

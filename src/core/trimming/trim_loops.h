@@ -9,6 +9,7 @@
 #include "../analysis/base_surface.h"
 #include "../base/result.h"
 #include "../input/input_face.h"
+#include "../spline/scalar_spline.h"
 #include "../surface/offset_surface.h"
 #include "edge_curve.h"
 
@@ -59,6 +60,8 @@ struct EdgeContext
     const OffsetSurface &surface;
     double distance = 0.0;  //!< along S_u x S_v [mm]
     double tolerance = 0.0; //!< largest deviation of an edge curve from the offset surface [mm]
+    //! The distance itself where it varies over the parameters; null: it is `distance` everywhere.
+    const ScalarSpline *varying = nullptr;
 };
 
 //! Largest distance seen of a curve from S + d N over the base's pcurve, at equal parameters [mm].

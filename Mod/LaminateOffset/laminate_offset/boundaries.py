@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What bounds plies: curves by name, the side that is kept, and how far successive plies keep inside of them."""
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import FreeCAD
+import Part
+
+from .api import Length, millimetres
+from .layup import Layup, LayupError, PhysicalPly
+from .layup.errors import Problem
+
+SIDES = ("inside", "outside", "left", "right")
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A boundary of plies.
+
+    Attributes:
+        shape: a Part.Wire, a Part.Edge, a list of edges, a Part.Face (its wires), a compound of these, or a document
+            object with such a Shape, a sketch for instance. It lies on the lay-up face or near it.
+        side: the part of the face that plies keep: "inside" or "outside" of closed curves, where a closed curve inside
+            another one is a hole; or what lies "left" or "right" of the curve's direction for someone who stands on the face
+            with the outward normal upwards.
+        point: keeps the part next to this point (x, y, z in mm) instead, whatever the side is.
+    """
+
+    shape: Any
+    side: str = "inside"
+    point: Optional[Sequence[float]] = None
+
+    def __post_init__(self) -> None:
+        if self.side not in SIDES:
+            raise ValueError(f"side must be one of {', '.join(SIDES)}; it is {self.side!r}.")
+        if self.point is not None and len(tuple(self.point)) != 3:
+            raise ValueError(f"point must be x, y and z in mm; it is {self.point!r}.")
+
+    def for_engine(self, name: str) -> Tuple[str, "Part.Shape", str, Tuple[float, float, float]]:
+        """Name, shape, side and point as the compiled part takes them."""
+        x, y, z = self.point if self.point is not None else (0.0, 0.0, 0.0)
+        side = self.side if self.point is None else "nearest"
+        return name, _shape(self.shape, name), side, (float(x), float(y), float(z))
+
+
+Boundaries = Mapping[str, Any]
+Stagger = Union[Sequence[Length], Mapping[str, Sequence[Length]]]
+
+
+def named_boundaries(boundaries: Optional[Boundaries]) -> Dict[str, Boundary]:
+    """All of them as Boundary objects."""
+    return {
+        name: value if isinstance(value, Boundary) else Boundary(value)
+        for name, value in dict(boundaries or {}).items()
+    }
+
+
+def check_names(layup: Layup, known: Sequence[str]) -> None:
+    """Raises LayupError for every active row whose boundary is not known."""
+    expected = f"one of {', '.join(known)}, or nothing" if known else "nothing: no boundaries were given"
+    problems = [
+        Problem("boundary", repr(ply.boundary), expected, row, "ply")
+        for row, ply in enumerate(layup.plies, start=1)
+        if ply.active and ply.boundary and ply.boundary not in known
+    ]
+    if problems:
+        raise LayupError("layup", problems)
+
+
+def insets(plies: Sequence[PhysicalPly], stagger: Optional[Stagger]) -> List[float]:
+    """How far every ply keeps inside of its boundary in mm: of one boundary's plies, the first takes the first distance.
+
+    Raises ValueError for a table that does not fit the plies.
+    """
+    if stagger is None:
+        return [0.0] * len(plies)
+    names = list(dict.fromkeys(ply.ply.boundary for ply in plies if ply.ply.boundary))
+    tables = dict(stagger) if isinstance(stagger, Mapping) else {name: stagger for name in names}
+    for name in tables:
+        if name not in names:
+            raise ValueError(f"stagger names the boundary {name!r}, which no ply has; use one of {', '.join(names)}.")
+    result = []
+    used: Dict[str, int] = {}
+    for ply in plies:
+        name = ply.ply.boundary
+        if name not in tables:
+            result.append(0.0)
+            continue
+        place = used.get(name, 0)
+        used[name] = place + 1
+        if place >= len(tables[name]):
+            count = sum(1 for other in plies if other.ply.boundary == name)
+            raise ValueError(
+                f"stagger has {len(tables[name])} distances for boundary {name!r}, which has {count} plies."
+            )
+        result.append(millimetres(tables[name][place], "stagger"))
+    return result
+
+
+def drop_off_of(drop_off: Length) -> Tuple[float, Optional[float]]:
+    """The ramp's ratio, and its length in mm where a length was given."""
+    if isinstance(drop_off, FreeCAD.Units.Quantity) and drop_off.Unit == FreeCAD.Units.Length:
+        return 20.0, float(drop_off.Value)
+    return float(drop_off), None
+
+
+def _shape(given: Any, name: str) -> "Part.Shape":
+    shape = getattr(given, "Shape", given)
+    if isinstance(shape, (list, tuple)):
+        shape = Part.makeCompound(list(shape))
+    if not isinstance(shape, Part.Shape) or shape.isNull():
+        raise TypeError(f"Boundary {name!r} must be a Part shape, a list of edges or an object with a Shape.")
+    return shape

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ply_stack.h"
+
+#include "project_curve.h"
+
+#include "analysis/surface_analysis.h"
+#include "input/input_face.h"
+#include "report/face_report.h"
+#include "stack/boundary_sides.h"
+#include "stack/ply_levels.h"
+#include "topology/build_face.h"
+#include "trimming/check_edges.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr double least_ratio = 1.0;
+constexpr double most_ratio = 1000.0;
+
+Failure option_refusal(std::string message)
+{
+    return {Status::InvalidOption, Stage::Options, std::move(message), std::nullopt, std::nullopt};
+}
+
+//! The failure with the boundary's name in front.
+Failure about(const PlyBoundary &boundary, Failure failure)
+{
+    failure.message = fmt::format("Boundary '{}': {}", boundary.name, failure.message);
+    return failure;
+}
+
+Result<bool> checked(const std::vector<PlySpec> &plies, const std::vector<PlyBoundary> &boundaries,
+                     const PlyStackOptions &options)
+{
+    OffsetOptions common;
+    common.tolerance = options.tolerance;
+    common.max_degree = options.max_degree;
+    if (Result<bool> ok = check(common); !ok)
+        return ok;
+    if (plies.empty())
+        return option_refusal("A stack needs one ply at least; give the plies with their thicknesses.");
+    for (const PlySpec &ply : plies)
+        if (!(ply.thickness > 0.0 && std::isfinite(ply.thickness)))
+            return option_refusal("Every ply's thickness must be a finite number of mm above zero.");
+        else if (ply.boundary && *ply.boundary >= boundaries.size())
+            return option_refusal("A ply names a boundary that is not there; give all boundaries.");
+        else if (!(ply.inset >= 0.0 && std::isfinite(ply.inset)) || (ply.inset > 0.0 && !ply.boundary))
+            return option_refusal("An inset must be a finite number of mm, zero or more, of a ply with a boundary.");
+        else if (ply.inset > 0.0)
+            return option_refusal("Insets from a boundary are not made yet; give a boundary of its own to every ply.");
+    if (std::abs(options.direction) != 1.0)
+        return option_refusal("The direction must be 1 (along the face's outward normal) or -1 (against it).");
+    if (!std::isfinite(options.start))
+        return Failure{Status::InvalidDistance, Stage::Options, "The start of the stack is not a finite number of mm.",
+                       std::nullopt, std::nullopt};
+    if (!(options.ratio >= least_ratio && options.ratio <= most_ratio))
+        return option_refusal(fmt::format("The ratio of a ramp's length to the thickness must be from {} to {}.",
+                                          least_ratio, most_ratio));
+    if (options.ramp_length && !(*options.ramp_length > 0.0 && std::isfinite(*options.ramp_length)))
+        return option_refusal("A ramp's length must be a finite number of mm above zero.");
+    return true;
+}
+
+//! A boundary put onto the face.
+class BoundaryOnFace
+{
+public:
+    BoundaryOnFace(const TopoDS_Shape &face, const InputFace &input, const PlyBoundary &boundary, double tolerance)
+        : m_face(face), m_input(input), m_boundary(boundary), m_tolerance(tolerance)
+    {
+    }
+
+    Result<PlyRegion> region() const
+    {
+        const std::vector<TopoDS_Wire> wires = boundary_wires(m_boundary.shape);
+        if (wires.empty())
+            return option_refusal("There is no curve in it; give an edge, a wire or a face.");
+        const Result<std::vector<bool>> left = sides(wires);
+        if (!left)
+            return left.failure();
+        std::vector<BoundaryImage> images;
+        for (std::size_t k = 0; k < wires.size(); ++k)
+        {
+            const Result<CurveProjection> image = project_curve(m_face, wires[k], {m_tolerance, Outside::Clip});
+            if (!image)
+                return image.failure();
+            images.push_back({image.value().wire.Located(TopLoc_Location()), left.value()[k]});
+        }
+        if (m_boundary.side == PlySide::Nearest)
+            return cut_region(m_input, images,
+                              m_boundary.point.Transformed(m_input.location.Transformation().Inverted()));
+        return cut_region(m_input, images);
+    }
+
+private:
+    //! Whether the ply lies left of each wire, with S_u x S_v upwards.
+    [[nodiscard]] Result<std::vector<bool>> sides(const std::vector<TopoDS_Wire> &wires) const
+    {
+        if (m_boundary.side == PlySide::Left || m_boundary.side == PlySide::Right)
+            return std::vector<bool>(wires.size(), (m_boundary.side == PlySide::Left) == (m_input.normal_sign > 0.0));
+        if (m_boundary.side == PlySide::Nearest)
+            return std::vector<bool>(wires.size(), true);
+        std::vector<bool> left = inside_is_left(m_input, wires);
+        if (left.empty())
+            return option_refusal("A curve of it is open, so it has no inside; close it, or say which side the ply is "
+                                  "on: left, right, or the side next to a point.");
+        if (m_boundary.side == PlySide::Outside)
+            left.flip();
+        return left;
+    }
+
+    const TopoDS_Shape &m_face;
+    const InputFace &m_input;
+    const PlyBoundary &m_boundary;
+    double m_tolerance;
+};
+
+class PlyPipeline
+{
+public:
+    PlyPipeline(const TopoDS_Shape &face, const std::vector<PlySpec> &plies, const std::vector<PlyBoundary> &boundaries,
+                const PlyStackOptions &options)
+        : m_face(face), m_plies(plies), m_boundaries(boundaries), m_options(options)
+    {
+    }
+
+    Result<PlyStackResult> run()
+    {
+        if (const Result<bool> ok = checked(m_plies, m_boundaries, m_options); !ok)
+            return ok.failure();
+        const Result<InputFace> input = read_face(m_face);
+        if (!input)
+            return input.failure();
+        Result<std::vector<PlyRegion>> regions = all_regions(input.value());
+        if (!regions)
+            return regions.failure();
+        const Result<PlyLevels> levels =
+            ply_levels(input.value(), stacking(input.value()), regions.value(), fit_options());
+        if (!levels)
+            return levels.failure();
+        return faces(regions.value(), levels.value());
+    }
+
+private:
+    [[nodiscard]] OffsetOptions fit_options() const
+    {
+        OffsetOptions options;
+        options.tolerance = m_options.tolerance;
+        options.max_degree = m_options.max_degree;
+        if (m_options.progress)
+            options.progress = [outer = m_options.progress](double fraction) { return outer(0.7 * fraction); };
+        return options;
+    }
+
+    //! The region of every boundary, and last that of the whole face.
+    Result<std::vector<PlyRegion>> all_regions(const InputFace &input) const
+    {
+        std::vector<PlyRegion> regions;
+        for (const PlyBoundary &boundary : m_boundaries)
+        {
+            Result<PlyRegion> region = BoundaryOnFace(m_face, input, boundary, m_options.tolerance).region();
+            if (!region)
+                return about(boundary, region.failure());
+            region.value().name = boundary.name;
+            regions.push_back(std::move(region).value());
+        }
+        regions.push_back(whole_region(input));
+        return regions;
+    }
+
+    [[nodiscard]] std::size_t region_of(const PlySpec &ply) const { return ply.boundary.value_or(m_boundaries.size()); }
+
+    [[nodiscard]] Stacking stacking(const InputFace &input) const
+    {
+        Stacking result;
+        result.start = input.from_surface(m_options.start);
+        result.middle = m_options.middle;
+        for (const PlySpec &ply : m_plies)
+            result.plies.push_back({input.normal_sign * m_options.direction * ply.thickness, region_of(ply),
+                                    m_options.ramp_length.value_or(m_options.ratio * ply.thickness)});
+        return result;
+    }
+
+    //! All faces of all plies, in parallel.
+    Result<PlyStackResult> faces(const std::vector<PlyRegion> &regions, const PlyLevels &levels) const
+    {
+        const std::size_t each = m_options.middle ? 3 : 2;
+        std::vector<std::optional<Result<PlySurface>>> made(each * m_plies.size());
+        std::atomic<std::size_t> done{0};
+        std::atomic<bool> cancelled{false};
+        std::mutex guard;
+        tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+            if (cancelled)
+                return;
+            const std::size_t ply = i / each;
+            made[i] = face_of(regions[region_of(m_plies[ply])], levels, levels.of(ply, i % each, m_options.middle));
+            const double fraction = 0.7 + 0.3 * static_cast<double>(++done) / static_cast<double>(made.size());
+            const std::lock_guard lock(guard);
+            if (m_options.progress && !m_options.progress(fraction))
+                cancelled = true;
+        });
+        if (cancelled)
+            return Failure{Status::Cancelled, Stage::Topology,
+                           "The computation was cancelled while the plies' faces were made.", std::nullopt,
+                           std::nullopt};
+        PlyStackResult result;
+        for (std::size_t i = 0; i < made.size(); ++i)
+            if (!made[i]->ok())
+                return made[i]->failure();
+        for (std::size_t k = 0; k < m_plies.size(); ++k)
+        {
+            const auto surface = [&](std::size_t which) { return made[each * k + which]->value(); };
+            StackedPly ply{located(regions[region_of(m_plies[k])].input), surface(0), std::nullopt, surface(each - 1)};
+            if (m_options.middle)
+                ply.middle = surface(1);
+            result.plies.push_back(std::move(ply));
+        }
+        return result;
+    }
+
+    static TopoDS_Face located(const InputFace &input)
+    {
+        constexpr bool refuse_mirrors = false;
+        TopoDS_Shape face = input.face.Oriented(input.reversed ? TopAbs_REVERSED : TopAbs_FORWARD);
+        face.Location(input.location, refuse_mirrors);
+        return TopoDS::Face(face);
+    }
+
+    [[nodiscard]] Result<PlySurface> face_of(const PlyRegion &region, const PlyLevels &levels,
+                                             const PlyLevel &level) const
+    {
+        try
+        {
+            const Result<TrimLoops> loops =
+                offset_loops({region.input, levels.analysis.base, level.surface, level.nominal,
+                              edge_share * m_options.tolerance, level.distance ? &*level.distance : nullptr});
+            if (!loops)
+                return loops.failure();
+            if (const Result<bool> near = check_edges(region.input, level.surface, loops.value(), m_options.tolerance);
+                !near)
+                return near.failure();
+            const Result<TopoDS_Face> face = build_face(region.input, level.surface, loops.value());
+            if (!face)
+                return face.failure();
+            OffsetOptions options = fit_options();
+            options.distance = region.input.from_face(level.nominal);
+            return PlySurface{
+                {face.value(), face_report(region.input, levels.analysis, level.surface, loops.value(), options)},
+                level.distance.has_value()};
+        }
+        catch (const Standard_Failure &error)
+        {
+            return kernel_failure(error, Stage::Topology);
+        }
+    }
+
+    const TopoDS_Shape &m_face;
+    const std::vector<PlySpec> &m_plies;
+    const std::vector<PlyBoundary> &m_boundaries;
+    const PlyStackOptions &m_options;
+};
+
+} // namespace
+
+Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
+                                   const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options)
+{
+    const auto start = std::chrono::steady_clock::now();
+    try
+    {
+        Result<PlyStackResult> result = PlyPipeline(face, plies, boundaries, options).run();
+        if (result)
+            result.value().elapsed =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        return result;
+    }
+    catch (const Standard_Failure &error)
+    {
+        return kernel_failure(error, Stage::Trimming);
+    }
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Plies that cover parts of a lay-up face, with ramps where plies below them end.
+//!
+//! Between two plies there is one surface, S + d N with d the sum of what lies below: thickness times share
+//! (stack/ply_ramp.h) of every ply. A ply's bottom and top are parts of two such surfaces. On the ply its own share is 1,
+//! so that it is exactly as thick as it should be; beside its edge the plies above come down over a ramp, and what
+//! is left open there is a pocket of resin.
+#pragma once
+
+#include "offset_face.h"
+
+#include <TopoDS_Shape.hxx>
+#include <gp_Pnt.hxx>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! Which part of the face a boundary leaves to its ply. Left and right are those of the boundary's direction for someone
+//! who stands on the face with the outward normal upwards.
+enum class PlySide
+{
+    Inside,  //!< of closed curves; a closed curve inside another one is a hole
+    Outside, //!< the rest
+    Left,
+    Right,
+    Nearest //!< the part next to a point
+};
+
+//! What bounds plies.
+struct PlyBoundary
+{
+    std::string name;   //!< for messages
+    TopoDS_Shape shape; //!< an edge, a wire, a face (its wires) or a compound of these, on or near the face
+    PlySide side = PlySide::Inside;
+    gp_Pnt point; //!< of PlySide::Nearest
+};
+
+//! One ply, from the lay-up surface outwards.
+struct PlySpec
+{
+    double thickness = 0.0;              //!< [mm], above zero
+    std::optional<std::size_t> boundary; //!< which of the boundaries; empty: the whole face
+    //! How far the ply's edge keeps inside of the boundary, along the face [mm]. Range: >= 0. Default 0.
+    double inset = 0.0;
+};
+
+struct PlyStackOptions
+{
+    //! Largest deviation [mm] of every surface from S + d N. Range: > 0. Default 1e-3.
+    double tolerance = 1e-3;
+    //! Highest degree of fitted surfaces. Range: 3 to 7. Default 7.
+    int max_degree = 7;
+    //! +1: plies are laid along the face's outward normal, -1: against it. Default +1.
+    double direction = 1.0;
+    //! Where the first ply's bottom would be if every ply covered the whole face, along the outward normal [mm]. Default 0.
+    double start = 0.0;
+    //! Length of a ramp in thicknesses of the ply that ends there. Range: 1 to 1000. Default 20. A short ramp costs poles.
+    double ratio = 20.0;
+    //! Length of every ramp instead [mm]. Range: > 0. Default none.
+    std::optional<double> ramp_length;
+    //! Surfaces half way through the plies are made as well. Default no.
+    bool middle = false;
+    //! Progress and cancellation. Default none. It may be called from any thread.
+    Progress progress;
+};
+
+//! One surface of a ply.
+struct PlySurface
+{
+    OffsetResult result;    //!< its report's distance is that where every ply is present
+    bool over_ramp = false; //!< its distance from the lay-up face varies
+};
+
+struct StackedPly
+{
+    TopoDS_Face region; //!< what it covers, on the lay-up face itself
+    PlySurface bottom;
+    std::optional<PlySurface> middle; //!< where asked for
+    PlySurface top;
+};
+
+struct PlyStackResult
+{
+    std::vector<StackedPly> plies;
+    double elapsed = 0.0; //!< [ms]
+};
+
+//! Lays plies on a trimmed face.
+//! \return the stack, or the first refusal; nothing is made in part.
+//! Refusals: those of offset_stack and project_curve; InvalidOption for an option out of its range; NotSupported for a
+//! boundary that does not cut the face or leaves several parts of it, an open boundary without a side, a ramp that would
+//! take too many poles, creased faces. Messages name the boundary.
+Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
+                                   const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options);
+
+} // namespace laminate_offset

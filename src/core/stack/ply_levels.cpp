@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ply_levels.h"
+
+#include "ply_ramp.h"
+#include "stack_surfaces.h"
+#include "swept_form.h"
+
+#include "../surface/check_meetings.h"
+#include "../surface/variable_offset.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace laminate_offset
+{
+namespace
+{
+
+// A surface over ramps with more poles than that takes minutes and megabytes.
+constexpr int most_poles = 40000;
+// Of the surfaces' tolerance: what the family of constant distances may take from a fit over ramps.
+constexpr double family_share = 0.4;
+
+//! What one surface is made of.
+struct Recipe
+{
+    std::vector<std::pair<std::size_t, double>> below; //!< plies and how much of each
+    std::vector<std::size_t> regions;                  //!< where the surface is used
+    double nominal = 0.0;
+    double constant = 0.0;               //!< the part of the distance that does not vary there
+    std::optional<ScalarSpline> varying; //!< constant and varying part together
+};
+
+class LevelMaker
+{
+public:
+    LevelMaker(const InputFace &input, const Stacking &stacking, const std::vector<PlyRegion> &regions,
+               const OffsetOptions &options)
+        : m_input(input), m_stacking(stacking), m_regions(regions), m_options(options)
+    {
+        for (const PlyRegion &region : regions)
+            m_inside.emplace_back(region.input);
+    }
+
+    Result<PlyLevels> run()
+    {
+        list_recipes();
+        std::vector<double> nominals;
+        for (const Recipe &recipe : m_recipes)
+            nominals.push_back(recipe.nominal);
+        const StackDistances nominal(nominals);
+        const double farthest = std::abs(nominal.low) > std::abs(nominal.high) ? nominal.low : nominal.high;
+        Result<SurfaceAnalysis> analysis = analysed(farthest);
+        if (!analysis)
+            return analysis.failure();
+        for (Recipe &recipe : m_recipes)
+            if (const Result<bool> ok = resolve(recipe, analysis.value().base); !ok)
+                return ok.failure();
+        const bool varies = std::any_of(m_recipes.begin(), m_recipes.end(),
+                                        [](const Recipe &recipe) { return recipe.varying.has_value(); });
+        const Result<std::vector<OffsetSurface>> surfaces =
+            varies ? with_ramps(analysis.value()) : all_constant(analysis.value());
+        if (!surfaces)
+            return surfaces.failure();
+        PlyLevels levels{std::move(analysis).value(), {}, {}};
+        const std::size_t between = m_stacking.plies.size() + 1;
+        for (std::size_t i = 0; i < m_recipes.size(); ++i)
+            (i < between ? levels.between : levels.middle)
+                .push_back({surfaces.value()[i], m_recipes[i].nominal, std::move(m_recipes[i].varying)});
+        return levels;
+    }
+
+private:
+    void list_recipes()
+    {
+        const std::vector<LaidPly> &plies = m_stacking.plies;
+        Recipe below;
+        below.nominal = m_stacking.start;
+        std::vector<Recipe> middle;
+        for (std::size_t j = 0; j <= plies.size(); ++j)
+        {
+            Recipe between = below;
+            for (std::size_t ply = j == 0 ? 0 : j - 1; ply <= j && ply < plies.size(); ++ply)
+                between.regions.push_back(plies[ply].region);
+            m_recipes.push_back(std::move(between));
+            if (j == plies.size())
+                break;
+            if (m_stacking.middle)
+            {
+                Recipe half = below;
+                half.below.emplace_back(j, 0.5);
+                half.nominal += 0.5 * plies[j].thickness;
+                half.regions = {plies[j].region};
+                middle.push_back(std::move(half));
+            }
+            below.below.emplace_back(j, 1.0);
+            below.nominal += plies[j].thickness;
+        }
+        m_recipes.insert(m_recipes.end(), middle.begin(), middle.end());
+    }
+
+    //! Of the face's own surface, or of a swept one with the same parameters where only that has a model.
+    Result<SurfaceAnalysis> analysed(double farthest) const
+    {
+        InputFace input = m_input;
+        const bool partial = std::any_of(m_regions.begin(), m_regions.end(),
+                                         [](const PlyRegion &region) { return !region.cuts.empty(); });
+        if (partial)
+            input.surface = swept_form(m_input.surface);
+        Result<SurfaceAnalysis> analysis = analyse(input, farthest, m_options.tolerance);
+        if (!analysis && analysis.failure().status == Status::KinkedSurface)
+            return Failure{Status::NotSupported, Stage::Analysis,
+                           "The face has a crease; lay plies with boundaries on its parts one by one.",
+                           analysis.failure().where, std::nullopt};
+        return analysis;
+    }
+
+    [[nodiscard]] bool whole(std::size_t region) const { return m_regions[region].cuts.empty(); }
+
+    [[nodiscard]] RectangleFilter used(const Recipe &recipe) const
+    {
+        return [this, regions = recipe.regions](const ParameterBox &box) {
+            return std::any_of(regions.begin(), regions.end(),
+                               [&](std::size_t region) { return m_inside[region].may_touch(box); });
+        };
+    }
+
+    //! Sums up the distance over the regions where the surface is used.
+    Result<bool> resolve(Recipe &recipe, const BaseSurface &base)
+    {
+        recipe.constant = m_stacking.start;
+        const RectangleFilter needed = used(recipe);
+        for (const auto &[ply, part] : recipe.below)
+        {
+            const LaidPly &laid = m_stacking.plies[ply];
+            const double thickness = part * laid.thickness;
+            const bool on_itself = std::all_of(recipe.regions.begin(), recipe.regions.end(),
+                                               [&](std::size_t region) { return region == laid.region; });
+            if (whole(laid.region) || on_itself)
+            {
+                recipe.constant += thickness;
+                continue;
+            }
+            const Result<ScalarSpline> &share = share_of(laid, base);
+            if (!share)
+                return share.failure();
+            const auto touched = [&](double u0, double u1, double v0, double v1) { return needed({u0, u1, v0, v1}); };
+            if (const std::optional<double> same = share.value().constant_where(touched))
+            {
+                recipe.constant += *same * thickness;
+                continue;
+            }
+            const ParameterBox &box = base.box();
+            if (!recipe.varying)
+                recipe.varying = ScalarSpline::constant(0.0, box.umin, box.umax, box.vmin, box.vmax);
+            recipe.varying = sum(*recipe.varying, thickness, share.value());
+        }
+        if (!recipe.varying)
+            return true;
+        for (double &pole : recipe.varying->poles)
+            pole += recipe.constant;
+        if (recipe.varying->poles.size() > most_poles)
+            return Failure{Status::NotSupported, Stage::Surface,
+                           fmt::format("The ramps of all plies together would take {} poles, more than {}; make ramps "
+                                       "longer, or lead boundaries along parameter lines.",
+                                       recipe.varying->poles.size(), most_poles),
+                           std::nullopt, std::nullopt};
+        return true;
+    }
+
+    const Result<ScalarSpline> &share_of(const LaidPly &laid, const BaseSurface &base)
+    {
+        const auto key = std::make_pair(laid.region, laid.ramp);
+        const auto known = m_shares.find(key);
+        if (known != m_shares.end())
+            return known->second;
+        return m_shares.emplace(key, ply_share(base, m_regions[laid.region], laid.ramp, most_poles)).first->second;
+    }
+
+    Result<std::vector<OffsetSurface>> all_constant(const SurfaceAnalysis &analysis) const
+    {
+        std::vector<double> distances;
+        for (const Recipe &recipe : m_recipes)
+            distances.push_back(recipe.constant);
+        Result<StackSurfaces> made = stack_surfaces(analysis, m_input, StackDistances(distances), m_options);
+        if (!made)
+            return made.failure();
+        return std::move(made.value().surfaces);
+    }
+
+    Result<std::vector<OffsetSurface>> with_ramps(const SurfaceAnalysis &analysis) const
+    {
+        std::vector<double> ends;
+        for (const Recipe &recipe : m_recipes)
+        {
+            ends.push_back(recipe.varying ? recipe.varying->low() : recipe.constant);
+            ends.push_back(recipe.varying ? recipe.varying->high() : recipe.constant);
+        }
+        const StackDistances range(ends);
+        const double tolerance = surface_share * m_options.tolerance;
+        for (const double end : {range.low, range.high})
+            if (const Result<bool> feasible = check_distance(analysis, m_input, end); !feasible)
+                return feasible.failure();
+        const Result<OffsetFamily> family =
+            fit_offset_family(analysis, m_input, range.low, range.high, family_share * tolerance, m_options);
+        if (!family)
+            return family.failure();
+        for (const double end : {range.low, range.high})
+            if (const Result<bool> clear =
+                    check_meetings(analysis, m_input, member(family.value(), end), end, m_options.tolerance);
+                !clear)
+                return clear.failure();
+        return each(analysis, family.value(), tolerance);
+    }
+
+    static OffsetSurface member(const OffsetFamily &family, double distance)
+    {
+        return {to_geom(family.at(distance)), {0.0, 0.0}, family.certified_error, family.sampled_error};
+    }
+
+    Result<std::vector<OffsetSurface>> each(const SurfaceAnalysis &analysis, const OffsetFamily &family,
+                                            double tolerance) const
+    {
+        OffsetOptions options = m_options;
+        options.progress = nullptr;
+        std::vector<std::optional<Result<OffsetSurface>>> made(m_recipes.size());
+        tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+            const Recipe &recipe = m_recipes[i];
+            if (recipe.varying)
+                made[i] = fit_variable_offset({m_input, family, *recipe.varying, tolerance, used(recipe), options});
+            else if (std::optional<OffsetSurface> exact = exact_offset(m_input, recipe.constant))
+                made[i] = *std::move(exact);
+            else if (recipe.constant == 0.0)
+                made[i] = offset_surface(analysis, m_input, 0.0, options);
+            else
+                made[i] = member(family, recipe.constant);
+        });
+        std::vector<OffsetSurface> surfaces;
+        for (std::optional<Result<OffsetSurface>> &one : made)
+        {
+            if (!one->ok())
+                return one->failure();
+            surfaces.push_back(std::move(*one).value());
+        }
+        return surfaces;
+    }
+
+    const InputFace &m_input;
+    const Stacking &m_stacking;
+    const std::vector<PlyRegion> &m_regions;
+    const OffsetOptions &m_options;
+    std::vector<LoopRegion> m_inside; //!< of each region
+    std::vector<Recipe> m_recipes;    //!< the surfaces between plies, then those in their middle
+    std::map<std::pair<std::size_t, double>, Result<ScalarSpline>> m_shares;
+};
+
+} // namespace
+
+const PlyLevel &PlyLevels::of(std::size_t ply, std::size_t which, bool with_middle) const
+{
+    if (with_middle && which == 1)
+        return middle[ply];
+    return between[ply + (which == 0 ? 0 : 1)];
+}
+
+Result<PlyLevels> ply_levels(const InputFace &input, const Stacking &stacking, const std::vector<PlyRegion> &regions,
+                             const OffsetOptions &options)
+{
+    return LevelMaker(input, stacking, regions, options).run();
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! The surfaces between plies that cover parts of a face: S + d N with d the thickness that lies below.
+#pragma once
+
+#include "ply_region.h"
+
+#include "../analysis/surface_analysis.h"
+#include "../spline/scalar_spline.h"
+#include "../surface/offset_surface.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace laminate_offset
+{
+
+struct LaidPly
+{
+    double thickness = 0.0; //!< along S_u x S_v [mm], signed
+    std::size_t region = 0; //!< which of the regions it covers
+    double ramp = 0.0;      //!< length of the ramp beside its edge [mm]
+};
+
+struct Stacking
+{
+    double start = 0.0; //!< the first bottom's distance along S_u x S_v [mm]
+    bool middle = false;
+    std::vector<LaidPly> plies; //!< from the lay-up surface outwards
+};
+
+//! One surface.
+struct PlyLevel
+{
+    OffsetSurface surface;
+    double nominal = 0.0;                 //!< distance where all plies below are present, along S_u x S_v [mm]
+    std::optional<ScalarSpline> distance; //!< where it varies
+};
+
+struct PlyLevels
+{
+    SurfaceAnalysis analysis;      //!< of the whole face
+    std::vector<PlyLevel> between; //!< below the first ply, between each two, above the last
+    std::vector<PlyLevel> middle;  //!< one for each ply, where asked for
+
+    //! The bottom (0) and the top (1) of a ply, or bottom (0), middle (1) and top (2).
+    [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;
+};
+
+//! All surfaces of a stack, each certified over the regions of the plies that it bounds. A distance that is constant
+//! there gives the offset at that distance, exact where the base permits; any other is a variable offset of one family.
+//! \param regions all that plies cover; those without cuts are the whole face.
+//! Refusals: those of analyse, check_distance, fit_offset_family and fit_variable_offset; those of ply_share.
+Result<PlyLevels> ply_levels(const InputFace &input, const Stacking &stacking, const std::vector<PlyRegion> &regions,
+                             const OffsetOptions &options);
+
+} // namespace laminate_offset

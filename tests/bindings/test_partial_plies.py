@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plies with boundaries: the parts that they cover, the plies above that come down over ramps, and what is refused."""
+
+import FreeCAD
+import numpy
+import Part
+import pytest
+
+import laminate_offset as lo
+import sample_shapes
+
+RAMP = FreeCAD.Units.Quantity("60 mm")
+
+
+def layup(*boundaries: str, thickness: float = 0.5) -> lo.Layup:
+    """One ply a name; "" covers the whole face."""
+    return lo.Layup(tuple(lo.Ply(f"P{i}", "tape", thickness, boundary=name) for i, name in enumerate(boundaries, 1)))
+
+
+def plate() -> "Part.Face":
+    """400 x 300, slightly bent, as a spline."""
+    rows = [[FreeCAD.Vector(80 * i - 200, 60 * j - 150, 0.4 * i * i + 0.3 * i * j) for j in range(6)] for i in range(6)]
+    surface = Part.BSplineSurface()
+    surface.interpolate(rows)
+    return surface.toShape().Faces[0]
+
+
+def disc(x: float, y: float, radius: float) -> "Part.Wire":
+    return Part.Wire([Part.makeCircle(radius, FreeCAD.Vector(x, y, 5))])
+
+
+def height(face: "Part.Face", above: "Part.Face", u: float, v: float) -> float:
+    return float((above.Surface.value(u, v) - face.Surface.value(u, v)).dot(face.normalAt(u, v)))
+
+
+def test_the_ply_above_comes_down_beside_the_patch() -> None:
+    face = plate()
+    stack = lo.stack_plies(face, layup("", "patch", ""), boundaries={"patch": disc(0, 0, 60)}, drop_off=RAMP)
+    bottom, patch, top = stack.plies
+    assert stack.report["partial_plies"] == 1 and stack.report["certified_error"] <= 1e-3
+    assert patch.base_face.Area == pytest.approx(numpy.pi * 60**2, rel=0.05)
+    assert top.over_ramp and not bottom.over_ramp
+    assert all(ply.face.isValid() for ply in stack.plies)
+    u0, u1, v0, v1 = face.ParameterRange
+    middle, corner = (0.5 * (u0 + u1), 0.5 * (v0 + v1)), (u0 + 0.05 * (u1 - u0), v0 + 0.05 * (v1 - v0))
+    assert height(face, top.bottom_face, *middle) == pytest.approx(1.0, abs=2e-3)
+    assert height(face, top.bottom_face, *corner) == pytest.approx(0.5, abs=2e-3)
+    assert height(face, top.top_face, *corner) == pytest.approx(1.0, abs=2e-3)
+    entry = stack.ply_reports()[1]
+    assert entry["boundary"] == "patch" and entry["report"]["certified_error"] <= 1e-3
+
+
+def test_shapes_that_bound_plies() -> None:
+    face = plate()
+    whole = face.Area
+    ring = Part.makeCompound([disc(0, 0, 90), disc(0, 0, 40)])
+    line = Part.makeLine(FreeCAD.Vector(0, -200, 5), FreeCAD.Vector(0, 200, 5))
+    sketch = FreeCAD.newDocument("Boundaries").addObject("Part::Feature", "Sketch")
+    try:
+        sketch.Shape = disc(0, 0, 60)
+        given = {
+            "wire": disc(0, 0, 60),
+            "edges": disc(0, 0, 60).Edges,
+            "face": Part.Face(disc(0, 0, 60)),
+            "object": sketch,
+            "ring": ring,
+            "outside": lo.Boundary(disc(0, 0, 60), side="outside"),
+            "left": lo.Boundary(line, side="left"),
+            "right": lo.Boundary(line, side="right"),
+            "point": lo.Boundary(line, point=(-150, 0, 0)),
+        }
+        stack = lo.stack_plies(face, layup(*given), boundaries=given, surface="middle", drop_off=RAMP)
+    finally:
+        FreeCAD.closeDocument("Boundaries")
+    area = {ply.ply.ply.boundary: ply.base_face.Area for ply in stack.plies}
+    for name in ("edges", "face", "object"):
+        assert area[name] == pytest.approx(area["wire"], rel=1e-6)
+    assert area["outside"] + area["wire"] == pytest.approx(whole, rel=1e-4)
+    assert area["left"] + area["right"] == pytest.approx(whole, rel=1e-4)
+    assert area["point"] == pytest.approx(area["left"], rel=1e-6)
+    assert area["ring"] == pytest.approx(numpy.pi * (90**2 - 40**2), rel=0.05)
+    assert all(ply.face.isValid() for ply in stack.plies)
+
+
+def test_wrong_boundaries_are_named() -> None:
+    face = plate()
+    with pytest.raises(lo.LayupError, match="ply 2, boundary: found 'flap', expected one of patch"):
+        lo.stack_plies(face, layup("", "flap"), boundaries={"patch": disc(0, 0, 60)})
+    with pytest.raises(TypeError, match="'patch'"):
+        lo.stack_plies(face, layup("patch"), boundaries={"patch": "a text"})
+    with pytest.raises(ValueError, match="side must be one of"):
+        lo.Boundary(disc(0, 0, 60), side="above")
+    line = Part.makeLine(FreeCAD.Vector(0, -200, 5), FreeCAD.Vector(0, 200, 5))
+    with pytest.raises((lo.OffsetError, ValueError), match="'patch'.*open"):
+        lo.stack_plies(face, layup("patch"), boundaries={"patch": line})
+    with pytest.raises(lo.OffsetError, match="A ramp of 0.5 mm beside the boundary 'patch'.*longer"):
+        lo.stack_plies(face, layup("", "patch", "", thickness=0.025), boundaries={"patch": disc(0, 0, 60)}, drop_off=20)
+    with pytest.raises((lo.OffsetError, ValueError), match="ratio"):
+        lo.stack_plies(face, layup("patch"), boundaries={"patch": disc(0, 0, 60)}, drop_off=0.1)
+
+
+def test_a_layup_without_boundaries_goes_the_usual_way() -> None:
+    face = sample_shapes.bspline_face()
+    plain = lo.stack_plies(face, layup("", ""))
+    given = lo.stack_plies(face, layup("", ""), boundaries={"unused": disc(0, 0, 60)})
+    assert plain.report["one_fit"] and given.report["one_fit"]
+    assert given.report["partial_plies"] == 0
+    assert plain.plies[0].base_face.isSame(face) and not plain.plies[0].over_ramp

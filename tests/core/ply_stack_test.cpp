@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Plies on parts of a face, judged with OpenCASCADE's evaluation alone: at equal parameters, along the lay-up face's own
+// normal, every ply is as thick as it should be, no ply crosses another, and ramps begin and end where they should.
+#include "support/random_cases.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/ply_stack.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomLProp_SLProps.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <IntTools_FClass2d.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <string>
+#include <vector>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+TopoDS_Face panel()
+{
+    return BRepBuilderAPI_MakeFace(
+        height_surface([](double x, double y) { return 40.0 * std::sin(0.006 * x) * std::cos(0.008 * y); }, 400.0,
+                       300.0, 8, 7),
+        1e-7);
+}
+
+TopoDS_Wire circle(double x, double y, double radius)
+{
+    return BRepBuilderAPI_MakeWire(
+        BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(x, y, 10.0), gp_Dir(0, 0, 1)), radius)));
+}
+
+TopoDS_Wire line(const gp_Pnt &from, const gp_Pnt &to)
+{
+    return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(from, to));
+}
+
+std::string why(const Result<PlyStackResult> &result)
+{
+    return result.ok() ? "ok"
+                       : std::string(name(result.failure().status)) + " at " +
+                             std::string(name(result.failure().stage)) + ": " + result.failure().message;
+}
+
+PlyStackOptions options_of(double ramp, double tolerance = 1e-3)
+{
+    PlyStackOptions options;
+    options.tolerance = tolerance;
+    options.ramp_length = ramp;
+    return options;
+}
+
+double area_of(const TopoDS_Face &face)
+{
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties, 1e-7);
+    return properties.Mass();
+}
+
+//! A face that answers where parameters lie and what its surface is.
+class Judge
+{
+public:
+    explicit Judge(const TopoDS_Face &face)
+        : m_face(face), m_surface(BRep_Tool::Surface(face)), m_inside(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), 1e-9)
+    {
+    }
+
+    [[nodiscard]] bool contains(const gp_Pnt2d &uv) { return m_inside.Perform(uv) == TopAbs_IN; }
+    [[nodiscard]] gp_Pnt point(const gp_Pnt2d &uv) const { return m_surface->Value(uv.X(), uv.Y()); }
+
+    //! Outward.
+    [[nodiscard]] gp_Vec normal(const gp_Pnt2d &uv) const
+    {
+        GeomLProp_SLProps props(m_surface, uv.X(), uv.Y(), 1, 1e-12);
+        return gp_Vec(props.Normal()) * (m_face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0);
+    }
+
+private:
+    TopoDS_Face m_face;
+    Handle(Geom_Surface) m_surface;
+    IntTools_FClass2d m_inside;
+};
+
+struct Seen
+{
+    int present = 0;        //!< places of a ply
+    int absent = 0;         //!< places beside a ply with a boundary
+    int on_ramps = 0;       //!< places where a surface is between two nominal heights
+    double thickness = 0.0; //!< largest error of a ply's thickness
+    double sideways = 0.0;  //!< largest distance of a surface's point from the lay-up face's normal
+    double crossing = 0.0;  //!< how far a ply's bottom reaches below the top of a ply under it
+    double largest_gap = 0.0;
+};
+
+//! Follows the normals of the lay-up face through all plies.
+Seen look_through(const TopoDS_Face &face, const std::vector<PlySpec> &plies, const PlyStackResult &stack,
+                  double direction, int grid = 61)
+{
+    Judge base(face);
+    std::deque<Judge> bottoms, tops;
+    for (const StackedPly &ply : stack.plies)
+    {
+        EXPECT_TRUE(BRepCheck_Analyzer(ply.region).IsValid());
+        EXPECT_TRUE(BRepCheck_Analyzer(ply.bottom.result.face()).IsValid());
+        EXPECT_TRUE(BRepCheck_Analyzer(ply.top.result.face()).IsValid());
+        bottoms.emplace_back(ply.bottom.result.face());
+        tops.emplace_back(ply.top.result.face());
+    }
+    double u0, u1, v0, v1;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    Seen seen;
+    for (int k = 0; k < grid; ++k)
+        for (int l = 0; l < grid; ++l)
+        {
+            const gp_Pnt2d uv(u0 + (u1 - u0) * (k + 0.37) / grid, v0 + (v1 - v0) * (l + 0.61) / grid);
+            if (!base.contains(uv))
+                continue;
+            const gp_Vec up = direction * base.normal(uv);
+            double reached = 0.0; // the height of the last top
+            for (std::size_t i = 0; i < plies.size(); ++i)
+            {
+                if (!bottoms[i].contains(uv))
+                {
+                    ++seen.absent;
+                    continue;
+                }
+                ++seen.present;
+                const gp_Vec low(base.point(uv), bottoms[i].point(uv));
+                const gp_Vec high(base.point(uv), tops[i].point(uv));
+                seen.thickness = std::max(seen.thickness, std::abs((high - low).Dot(up) - plies[i].thickness));
+                for (const gp_Vec &v : {low, high})
+                    seen.sideways = std::max(seen.sideways, (v - v.Dot(up) * up).Magnitude());
+                seen.crossing = std::max(seen.crossing, reached - low.Dot(up));
+                seen.largest_gap = std::max(seen.largest_gap, low.Dot(up) - reached);
+                reached = high.Dot(up);
+            }
+        }
+    return seen;
+}
+
+void expect_proven(const PlyStackResult &stack, double tolerance)
+{
+    for (const StackedPly &ply : stack.plies)
+        for (const PlySurface *surface : {&ply.bottom, &ply.top})
+        {
+            ASSERT_TRUE(surface->result.report.certified_error);
+            ASSERT_TRUE(surface->result.report.edge_error);
+            EXPECT_LE(*surface->result.report.certified_error, tolerance);
+            EXPECT_LE(*surface->result.report.edge_error, tolerance);
+        }
+}
+
+} // namespace
+
+TEST(PlyStack, APatchLiesUnderARampOfThePlyAbove)
+{
+    const std::vector<PlySpec> plies{{0.5, {}, 0.0}, {1.0, 0, 0.0}, {0.25, {}, 0.0}};
+    const double ramp = 60.0;
+    for (const TopoDS_Face &face : {panel(), reversed(panel())})
+        for (const double direction : {1.0, -1.0})
+        {
+            PlyStackOptions options = options_of(ramp);
+            options.direction = direction;
+            const auto made =
+                stack_plies(face, plies, {{"patch", circle(20.0, 10.0, 70.0), PlySide::Inside, {}}}, options);
+            ASSERT_TRUE(made) << why(made);
+            expect_proven(made.value(), options.tolerance);
+            const Seen seen = look_through(face, plies, made.value(), direction);
+            EXPECT_GT(seen.present, 7000);
+            EXPECT_GT(seen.absent, 2000);
+            EXPECT_LE(seen.thickness, 2.0 * options.tolerance);
+            EXPECT_LE(seen.sideways, options.tolerance);
+            EXPECT_LE(seen.crossing, 2.0 * options.tolerance);
+            EXPECT_TRUE(made.value().plies[2].bottom.over_ramp);
+            EXPECT_FALSE(made.value().plies[1].bottom.over_ramp);
+            // the ramp: nothing left where it ends, all of the patch where it begins, never up and down
+            Judge base(face), above(made.value().plies[2].bottom.result.face());
+            double u0, u1, v0, v1;
+            BRepTools::UVBounds(face, u0, u1, v0, v1);
+            double before = 2.0;
+            int between = 0;
+            for (int i = 0; i <= 400; ++i) // along v = const from the circle's middle outwards
+            {
+                const gp_Pnt2d uv(0.55 + 0.44 * i / 400.0, 0.53);
+                const gp_Pnt p = base.point(uv);
+                const double height = gp_Vec(p, above.point(uv)).Dot(direction * base.normal(uv));
+                const double away = std::hypot(p.X() - 20.0, p.Y() - 10.0) - 70.0; // seen from above
+                if (away < -5.0)
+                {
+                    EXPECT_NEAR(height, 1.5, options.tolerance);
+                }
+                if (away > ramp + 5.0)
+                {
+                    EXPECT_NEAR(height, 0.5, options.tolerance);
+                }
+                EXPECT_LE(height, before + 2.0 * options.tolerance);
+                between += height > 0.6 && height < 1.4 ? 1 : 0;
+                before = height;
+            }
+            EXPECT_GT(between, 20);
+            const auto top =
+                Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(made.value().plies[2].top.result.face()));
+            ASSERT_FALSE(top.IsNull());
+            EXPECT_TRUE(top->IsCNu(1) && top->IsCNv(1));
+        }
+}
+
+TEST(PlyStack, SidesHolesAndTheFacesOwnLoops)
+{
+    const TopoDS_Face face = panel_with_hole(); // 800 x 500
+    const double whole = area_of(face);
+    const auto half = line(gp_Pnt(0.0, -400.0, 20.0), gp_Pnt(0.0, 400.0, 20.0)); // through the hole, towards +y
+    const auto region_area = [&](const TopoDS_Shape &shape, PlySide side, const gp_Pnt &point = {}) {
+        const auto made = stack_plies(face, {{0.5, 0, 0.0}}, {{"b", shape, side, point}}, options_of(50.0));
+        EXPECT_TRUE(made) << why(made);
+        if (!made)
+            return 0.0;
+        EXPECT_TRUE(BRepCheck_Analyzer(made.value().plies[0].top.result.face()).IsValid());
+        EXPECT_FALSE(made.value().plies[0].top.over_ramp);
+        return area_of(made.value().plies[0].region);
+    };
+    const double left = region_area(half, PlySide::Left), right = region_area(half, PlySide::Right);
+    EXPECT_NEAR(left + right, whole, 1e-3 * whole);
+    EXPECT_GT(left, 0.2 * whole);
+    EXPECT_GT(right, 0.2 * whole);
+    EXPECT_NEAR(region_area(half, PlySide::Nearest, gp_Pnt(-300.0, 0.0, 0.0)), left, 1e-6 * whole);
+    EXPECT_NEAR(region_area(half, PlySide::Nearest, gp_Pnt(300.0, 0.0, 0.0)), right, 1e-6 * whole);
+    // sides are those of the outward normal
+    const auto other = stack_plies(reversed(face), {{0.5, 0, 0.0}}, {{"b", half, PlySide::Left, {}}}, options_of(50.0));
+    ASSERT_TRUE(other) << why(other);
+    EXPECT_NEAR(area_of(other.value().plies[0].region), right, 1e-6 * whole);
+    // a ring: one circle inside another, in any direction
+    TopoDS_Compound ring;
+    BRep_Builder().MakeCompound(ring);
+    BRep_Builder().Add(ring, circle(-250.0, 100.0, 90.0));
+    BRep_Builder().Add(ring, circle(-250.0, 100.0, 40.0).Reversed());
+    const double outer = region_area(circle(-250.0, 100.0, 90.0), PlySide::Inside);
+    const double inner = region_area(circle(-250.0, 100.0, 40.0), PlySide::Inside);
+    EXPECT_NEAR(region_area(ring, PlySide::Inside), outer - inner, 1e-3 * outer);
+    EXPECT_NEAR(region_area(circle(-250.0, 100.0, 90.0), PlySide::Outside), whole - outer, 1e-3 * whole);
+    // a circle that hangs over the face's corner
+    const double corner = region_area(circle(-400.0, -250.0, 150.0), PlySide::Inside);
+    EXPECT_GT(corner, 0.2 * M_PI * 150.0 * 150.0);
+    EXPECT_LT(corner, 0.4 * M_PI * 150.0 * 150.0);
+}
+
+TEST(PlyStack, SeveralPatchesOverlapAndNoPlyCrossesAnother)
+{
+    const TopoDS_Face face = panel();
+    const std::vector<PlyBoundary> boundaries{{"a", circle(-30.0, 0.0, 60.0), PlySide::Inside, {}},
+                                              {"b", circle(40.0, 20.0, 70.0), PlySide::Inside, {}},
+                                              {"c", line(gp_Pnt(0, -200, 0), gp_Pnt(0, 200, 0)), PlySide::Right, {}}};
+    const std::vector<PlySpec> plies{{0.5, 0, 0.0},  {0.5, 2, 0.0}, {0.25, {}, 0.0},
+                                     {0.75, 1, 0.0}, {0.5, 0, 0.0}, {0.25, {}, 0.0}};
+    PlyStackOptions options = options_of(80.0);
+    options.middle = true;
+    const auto made = stack_plies(face, plies, boundaries, options);
+    ASSERT_TRUE(made) << why(made);
+    expect_proven(made.value(), options.tolerance);
+    const Seen seen = look_through(face, plies, made.value(), 1.0);
+    EXPECT_GT(seen.present, 10000);
+    EXPECT_GT(seen.absent, 5000);
+    EXPECT_LE(seen.thickness, 2.0 * options.tolerance);
+    EXPECT_LE(seen.sideways, options.tolerance);
+    EXPECT_LE(seen.crossing, 2.0 * options.tolerance);
+    EXPECT_GT(seen.largest_gap, 0.3); // pockets of resin beside the patches
+    for (const StackedPly &ply : made.value().plies)
+        ASSERT_TRUE(ply.middle);
+}
+
+TEST(PlyStack, AnalyticFacesTakePatches)
+{
+    const TopoDS_Face plane =
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(5, 6, 7), gp_Dir(0, 0, 1))), -200.0, 200.0, -150.0, 150.0);
+    const TopoDS_Face tube =
+        BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, -150), gp_Dir(0, 1, 0)), 150.0), -1.0,
+                                1.0, -200.0, 200.0, 1e-7);
+    const std::vector<PlySpec> plies{{0.5, {}, 0.0}, {1.0, 0, 0.0}, {0.25, {}, 0.0}};
+    for (const TopoDS_Face &face : {plane, tube, sphere_patch(300.0)})
+    {
+        Judge base(face);
+        double u0, u1, v0, v1;
+        BRepTools::UVBounds(face, u0, u1, v0, v1);
+        const gp_Pnt2d middle(0.5 * (u0 + u1), 0.5 * (v0 + v1));
+        const TopoDS_Wire around = BRepBuilderAPI_MakeWire(
+            BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(base.point(middle), gp_Dir(base.normal(middle))), 50.0)));
+        const auto made = stack_plies(face, plies, {{"patch", around, PlySide::Inside, {}}}, options_of(60.0));
+        ASSERT_TRUE(made) << why(made);
+        expect_proven(made.value(), 1e-3);
+        const Seen seen = look_through(face, plies, made.value(), 1.0);
+        EXPECT_GT(seen.absent, 1000);
+        EXPECT_GT(seen.present, 5000);
+        EXPECT_LE(seen.thickness, 2e-3);
+        EXPECT_LE(seen.crossing, 2e-3);
+        EXPECT_LE(seen.sideways, 1e-3);
+        EXPECT_TRUE(BRep_Tool::Surface(made.value().plies[0].top.result.face())->DynamicType() ==
+                    BRep_Tool::Surface(face)->DynamicType());
+    }
+}
+
+TEST(PlyStack, RefusalsNameTheBoundaryAndTheRemedy)
+{
+    const TopoDS_Face face = panel();
+    const std::vector<PlySpec> plies{{0.5, {}, 0.0}, {0.125, 0, 0.0}, {0.25, {}, 0.0}};
+    const auto refused = [&](const TopoDS_Shape &shape, PlySide side, PlyStackOptions options) {
+        const auto made = stack_plies(face, plies, {{"flap", shape, side, {}}}, options);
+        EXPECT_FALSE(made);
+        return made ? Failure{} : made.failure();
+    };
+    const Failure short_ramp = refused(circle(0, 0, 70), PlySide::Inside, options_of(0.5));
+    EXPECT_EQ(short_ramp.status, Status::NotSupported);
+    EXPECT_NE(short_ramp.message.find("flap"), std::string::npos) << short_ramp.message;
+    EXPECT_NE(short_ramp.message.find("longer"), std::string::npos) << short_ramp.message;
+    const Failure open = refused(line(gp_Pnt(0, -200, 0), gp_Pnt(0, 200, 0)), PlySide::Inside, options_of(50.0));
+    EXPECT_EQ(open.status, Status::InvalidOption);
+    EXPECT_NE(open.message.find("'flap'"), std::string::npos) << open.message;
+    const Failure dangling = refused(line(gp_Pnt(0, -50, 0), gp_Pnt(0, 50, 0)), PlySide::Left, options_of(50.0));
+    EXPECT_EQ(dangling.status, Status::NotSupported) << dangling.message;
+    TopoDS_Compound two;
+    BRep_Builder().MakeCompound(two);
+    BRep_Builder().Add(two, circle(-100.0, 0.0, 30.0));
+    BRep_Builder().Add(two, circle(100.0, 0.0, 30.0));
+    const Failure parts = refused(two, PlySide::Inside, options_of(50.0));
+    EXPECT_EQ(parts.status, Status::NotSupported);
+    EXPECT_NE(parts.message.find("2 separate parts"), std::string::npos) << parts.message;
+    PlyStackOptions bad = options_of(50.0);
+    bad.ratio = 0.5;
+    EXPECT_EQ(refused(circle(0, 0, 70), PlySide::Inside, bad).status, Status::InvalidOption);
+    bad = options_of(-1.0);
+    EXPECT_EQ(refused(circle(0, 0, 70), PlySide::Inside, bad).status, Status::InvalidOption);
+    EXPECT_FALSE(stack_plies(face, {}, {}, options_of(50.0)));
+    EXPECT_FALSE(stack_plies(face, {{-1.0, {}, 0.0}}, {}, options_of(50.0)));
+    EXPECT_FALSE(stack_plies(face, {{1.0, 3, 0.0}}, {}, options_of(50.0)));
+}
