@@ -46,6 +46,16 @@ def test_the_ply_above_comes_down_beside_the_patch() -> None:
     assert height(face, top.bottom_face, *middle) == pytest.approx(1.0, abs=2e-3)
     assert height(face, top.bottom_face, *corner) == pytest.approx(0.5, abs=2e-3)
     assert height(face, top.top_face, *corner) == pytest.approx(1.0, abs=2e-3)
+    for ply in stack.plies:
+        assert ply.solid.isValid() and ply.solid.Volume == pytest.approx(0.5 * ply.base_face.Area, rel=0.01)
+    with pytest.raises(ValueError, match="common solid"):
+        stack.laminate_solid()
+    with pytest.raises(ValueError, match="boundaries"):
+        stack.mass_properties()
+    low, high = top.levels([middle, corner])
+    assert low == pytest.approx([1.0, 0.5], abs=2e-3) and high == pytest.approx([1.5, 1.0], abs=2e-3)
+    assert stack.thickness([middle, corner]) == pytest.approx([1.5, 1.0], abs=2e-3)
+    assert len(stack.core_sample(tuple(face.valueAt(*corner))).layers) == 2
     entry = stack.ply_reports()[1]
     assert entry["boundary"] == "patch" and entry["report"]["certified_error"] <= 1e-3
 

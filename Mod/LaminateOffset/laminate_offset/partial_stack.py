@@ -93,8 +93,6 @@ def lay_partial_plies(
     for ply, (region, bottom, middle, top) in zip(plies, made):
         shape, report, over_ramp = {"bottom": bottom, "middle": middle, "top": top}[how.surface]
         reports += [OffsetReport(one[1]) for one in (bottom, middle, top) if one]
-        laid = PartialStackPly(
-            ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, whole_face=face
-        )
+        laid = PartialStackPly(ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, whole_face=face)
         stacked.append(laid)
     return PartialPlyStack(layup, stacked, stack_report(layup, plies, reports, False, elapsed), face)
