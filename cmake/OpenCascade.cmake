@@ -2,6 +2,7 @@
 # Finds OpenCASCADE 7.6 to 8.x and names its toolkits in one place.
 #   LAMINATE_OFFSET_OCCT_MODELING   toolkits the core links
 #   LAMINATE_OFFSET_OCCT_EXCHANGE   toolkits that read and write STEP and IGES (tests, generators)
+#   LAMINATE_OFFSET_OCCT_ASSEMBLIES toolkits that read and write STEP with names and colours (src/exchange)
 # Used by the build and, installed next to it, by LaminateOffsetConfig.cmake.
 
 # The package remembers its first call: components asked for later would not be loaded. DataExchange
@@ -19,6 +20,8 @@ set(LAMINATE_OFFSET_OCCT_MODELING
 )
 if(OpenCASCADE_VERSION VERSION_LESS 7.8)
     set(LAMINATE_OFFSET_OCCT_EXCHANGE TKXSBase TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKIGES)
+    set(LAMINATE_OFFSET_OCCT_ASSEMBLIES TKXDESTEP TKXCAF TKLCAF TKCDF TKTopAlgo ${LAMINATE_OFFSET_OCCT_EXCHANGE})
 else()
     set(LAMINATE_OFFSET_OCCT_EXCHANGE TKXSBase TKDE TKDESTEP TKDEIGES)
+    set(LAMINATE_OFFSET_OCCT_ASSEMBLIES TKXCAF TKLCAF TKCDF TKTopAlgo ${LAMINATE_OFFSET_OCCT_EXCHANGE})
 endif()

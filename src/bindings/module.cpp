@@ -14,6 +14,7 @@
 #include "ply_stack_binding.h"
 #include "project_curve_binding.h"
 #include "shape_exchange.h"
+#include "step_assembly_binding.h"
 #include "thread_limit_binding.h"
 
 #include <Standard_Failure.hxx>
@@ -60,4 +61,5 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_evaluate_face(module);
     laminate_offset::python::bind_thread_limit(module);
     laminate_offset::python::bind_ply_stack(module);
+    laminate_offset::python::bind_step_assembly(module);
 }

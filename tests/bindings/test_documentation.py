@@ -54,7 +54,7 @@ def test_the_package_is_typed() -> None:
         PACKAGE / f"{name}.py"
         for name in "__init__ _freecad api cli each_face errors exchange files replacing report".split()
     ]
-    for folder in ("batch", "commands", "layup"):
+    for folder in ("batch", "commands", "export", "layup"):
         modules += sorted((PACKAGE / folder).glob("*.py"))
     command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--follow-imports=silent"]
     command += ["--cache-dir=/dev/null", "--config-file=", *map(str, modules)]
@@ -100,7 +100,7 @@ def test_everything_public_has_a_docstring() -> None:
 def test_nothing_is_offered_that_is_not_there_yet() -> None:
     names = "Boundary CoreLayer CoreSample CurveProjection ExtensionReport ExtensionResult Layup LayupError "
     names += "MassProperties Material MaterialSolid MaterialTotal NearestPoints OffsetError OffsetLimits OffsetReport "
-    names += "OffsetResult PhysicalPly Ply PlyProperties PlyStack Rosette StackPly extend_face layup_from_notation "
+    names += "OffsetResult PhysicalPly Ply PlyProperties PlyStack Rosette StackPly export_calculix export_ply_book extend_face layup_from_notation "
     names += "materials nearest_point offset_face offset_limits project_curve read_layup read_material "
     names += "shape_exchange stack_plies"
     assert sorted(lo.__all__) == names.split()

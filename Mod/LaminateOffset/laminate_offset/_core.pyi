@@ -52,3 +52,6 @@ def stack_plies(
     middle: bool = ...,
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Tuple[List[Tuple[Any, Any, Any, Any]], float]: ...
+def write_step_assembly(
+    path: str, name: str, parts: Sequence[Tuple[Any, str, Tuple[float, float, float]]], schema: str
+) -> None: ...

@@ -109,7 +109,7 @@ def _reason(error: Exception) -> str:
 
 def _read_document(path: str) -> List["Part.Shape"]:
     add_workbench_folders()
-    with _document(lambda: FreeCAD.openDocument(path, True)) as document:
+    with closing_document(lambda: FreeCAD.openDocument(path, True)) as document:
         lost = _stored_names(path) - {feature.Name for feature in document.Objects}
         if lost:
             raise FileError(f"{', '.join(sorted(lost))} need a workbench that this FreeCAD cannot load")
@@ -143,7 +143,7 @@ def _placed_shape(feature: Any) -> "Part.Shape":
 
 
 @contextmanager
-def _document(make: Callable[[], Any]) -> Iterator[Any]:
+def closing_document(make: Callable[[], Any]) -> Iterator[Any]:
     """A document that is closed again, and the active document as it was."""
     before = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument is not None else None
     document = make()
@@ -169,7 +169,7 @@ def _write_brep(shape: "Part.Shape", path: str, _label: str) -> None:
 
 def _write_document(shape: "Part.Shape", path: str, label: str) -> None:
     name = os.path.splitext(os.path.basename(path))[0]
-    with _document(lambda: FreeCAD.newDocument(name, hidden=True)) as document:
+    with closing_document(lambda: FreeCAD.newDocument(name, hidden=True)) as document:
         feature = document.addObject("Part::Feature", "Offset")
         feature.Label = label
         feature.Shape = shape

@@ -218,6 +218,25 @@ class PlyStack:
         ends = [sorted((first.ply.bottom, last.ply.top)) for first, last in runs]
         return tuple(_core.ply_solids(list(faces.values()), [(index[low], index[high]) for low, high in ends]))
 
+    def export(self, path: str, solids: bool = False, schema: str = "AP214") -> None:
+        """Writes the stack; replaces a file in one step.
+
+        Args:
+            path: the name's ending decides. .step and .stp hold an assembly with one part a ply, .FCStd a part with one
+                object a ply, both with names and colours by angle; .iges, .igs, .brep and .brp the bare shapes; .csv the
+                table of the plies; .html the ply book; .inp the section of a shell for CalculiX.
+            solids: the plies are written as solids, not as faces.
+            schema: of STEP files: "AP214" or "AP242".
+
+        Raises:
+            FileError: the ending is not known, or the file cannot be written.
+            ValueError: the schema is another one.
+            OffsetError: a solid cannot be made, see ply_solids.
+        """
+        from .export import export_stack
+
+        export_stack(self, path, solids, schema)
+
     def summary(self) -> str:
         """One line for a person: plies, thickness and the proven error."""
         error = self.report["certified_error"]

@@ -80,7 +80,7 @@ def _stack(task: Mapping[str, Any], paths: Mapping[str, str], digests: Mapping[s
         raise
     except (RuntimeError, MemoryError) as error:
         raise kernel_error(error) from error
-    write_shape(stack.to_shape(), paths["output"], f"{len(stack.plies)} plies")
+    stack.export(paths["output"])
     return DONE, "", {**stack.report, "stack": stack.ply_reports()}, _figures([stack.report], len(stack.plies))
 
 

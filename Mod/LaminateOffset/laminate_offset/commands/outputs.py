@@ -30,7 +30,7 @@ def check_results(sources: Sequence[str], results: Sequence[Optional[str]]) -> N
         if any(is_same_file(path, source) for source in sources):
             raise FileError(f"{path}: is the input; name another file for the result.")
         if any(is_same_file(path, other) for other in wanted[:place]):
-            raise FileError(f"{path}: is also the output; give the report a name of its own.")
+            raise FileError(f"{path}: is also the output of another option; give it a name of its own.")
         check_writable(path)
 
 

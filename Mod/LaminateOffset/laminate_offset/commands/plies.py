@@ -2,17 +2,24 @@
 """laminate-offset plies: the plies of a layup on one face of a file."""
 
 import argparse
+import os
 from typing import Any, TextIO
 
 from ..each_face import choose, refusal_line
 from ..errors import OffsetError
-from ..files import read_faces, write_json, write_shape
+from ..export.pictures import require_matplotlib
+from ..export.step import SCHEMAS
+from ..files import format_of, read_faces, write_json
 from ..layup import read_layup
-from ..stack import SURFACES, stack_plies
+from ..replacing import FileError
+from ..stack import SURFACES, PlyStack, stack_plies
 from . import DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
 from .bar import Bar
-from .outputs import check_outputs
+from .outputs import check_results
+
+# Options that write a text about the stack, and the endings of its file.
+TEXTS = {"book": ".html", "table": ".csv", "calculix": ".inp"}
 
 
 def add_to(commands: Any) -> None:
@@ -32,13 +39,17 @@ def add_to(commands: Any) -> None:
     add("--direction", choices=("normal", "reversed"), help="side of the face to stack on (default: the layup's own)")
     add("--surface", choices=SURFACES, default="top", help="surface of each ply to write (default: %(default)s)")
     add("--solids", action="store_true", help="write every ply as a solid instead of a face")
-    add("-o", "--output", required=True, metavar="OUT", help=OUTPUT_HELP)
+    add("-o", "--output", required=True, metavar="OUT", help=f"{OUTPUT_HELP}; STEP and FCStd hold names and colours")
+    add("--schema", choices=SCHEMAS, default=SCHEMAS[0], help="of a STEP file (default: %(default)s)")
+    add("--book", metavar="BOOK.html", help="write the ply book: figures and a picture of every ply")
+    add("--table", metavar="PLIES.csv", help="write the table of the plies")
+    add("--calculix", metavar="FILE.inp", help="write the section of a shell for CalculiX")
     add_report(parser, "the stack's report, with one entry for every ply,")
 
 
 def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     """Carries the command out."""
-    check_outputs(arguments.input, arguments.output, arguments.report)
+    _check_arguments(arguments)
     layup = read_layup(arguments.layup)
     ((number, face),) = choose(read_faces(arguments.input), arguments.face, arguments.input)
     try:
@@ -57,9 +68,32 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
         if arguments.report:
             write_json(refusal.report.to_dict(), arguments.report)
         return REFUSED
-    write_shape(stack.to_shape(arguments.solids), arguments.output, f"{len(stack.plies)} plies")
-    print(f"laminate-offset: wrote {arguments.output}", file=err)
+    _write(stack, arguments, err)
     print(f"face {number}: {stack.summary()}", file=out)
     if arguments.report:
         write_json({**stack.report, "stack": stack.ply_reports()}, arguments.report)
     return DONE
+
+
+def _check_arguments(arguments: argparse.Namespace) -> None:
+    """Finds out before the work whether its results can be kept."""
+    format_of(arguments.output)
+    for option, ending in TEXTS.items():
+        path = getattr(arguments, option)
+        if path is not None and os.path.splitext(path)[1].lower() != ending:
+            raise FileError(f"--{option}: {path}: the name must end in {ending}.")
+    if arguments.book is not None:
+        require_matplotlib()
+    texts = [getattr(arguments, option) for option in TEXTS]
+    check_results([arguments.input, arguments.layup], [arguments.output, arguments.report, *texts])
+
+
+def _write(stack: PlyStack, arguments: argparse.Namespace, err: TextIO) -> None:
+    """Writes all that was asked for."""
+    stack.export(arguments.output, arguments.solids, arguments.schema)
+    print(f"laminate-offset: wrote {arguments.output}", file=err)
+    for option in TEXTS:
+        path = getattr(arguments, option)
+        if path is not None:
+            stack.export(path)
+            print(f"laminate-offset: wrote {path}", file=err)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the fibres of a ply run, for pictures and for the axes of a solver."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+
+import numpy
+
+from .. import _core
+from ..api import nearest_point
+from ..rosette import Rosette
+from ..rosette import fibre_directions as directions_on
+
+if TYPE_CHECKING:
+    from ..stack import PlyStack
+
+Array = Any  # a numpy array of floats
+
+# A model's x axis that stands on the surface more steeply than this (the cosine) does not serve as the first axis.
+STEEP = 0.9
+
+
+class Axes(NamedTuple):
+    """The axes that ply angles refer to: unit vectors, first and second in the surface, third its outward normal."""
+
+    first: Array
+    second: Array
+    normal: Array
+
+
+def axes_of(stack: "PlyStack", rosette: Optional[Rosette] = None) -> Axes:
+    """The axes of a rosette where it stands on the lay-up surface.
+
+    Without a rosette, the first axis is the model's x axis projected onto the surface at the middle of its parameters, or
+    the y axis where x stands too steeply on it there.
+    """
+    face = stack.base_face
+    chosen = _usual_rosette(face) if rosette is None else rosette
+    uv = nearest_point(face, [chosen.origin]).uv
+    _, (normal,), _ = _core.evaluate_face(face, uv)
+    (first,) = directions_on(face, uv, chosen, 0.0)
+    return Axes(first, numpy.cross(normal, first), normal)
+
+
+def _usual_rosette(face: Any) -> Rosette:
+    u_first, u_last, v_first, v_last = face.ParameterRange
+    uv = numpy.array([[0.5 * (u_first + u_last), 0.5 * (v_first + v_last)]])
+    ((x, y, z),), (normal,), _ = _core.evaluate_face(face, uv)
+    return Rosette((x, y, z), (1.0, 0.0, 0.0) if abs(normal[0]) < STEEP else (0.0, 1.0, 0.0))
+
+
+def fibre_directions(axes: Axes, normals: Array, angle: float) -> Array:
+    """The unit directions of the fibres at places with these outward normals, as arrays (n, 3).
+
+    The first axis is moved to each place without turning it, projected onto the surface there, and turned by the angle
+    in degrees about the normal, counter-clockwise as seen from its tip. Where the first axis stands on the surface
+    there is no direction: zeros.
+    """
+    along = axes.first - (normals @ axes.first)[:, None] * normals
+    lengths = numpy.linalg.norm(along, axis=1)
+    along[lengths < 1e-6] = 0.0
+    along /= numpy.where(lengths < 1e-6, 1.0, lengths)[:, None]
+    turn = numpy.radians(angle)
+    return numpy.cos(turn) * along + numpy.sin(turn) * numpy.cross(normals, along)
