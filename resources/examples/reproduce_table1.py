@@ -2,8 +2,9 @@
 """Repeats table 1 and figures 1 to 9 of Ravi Kumar, Shastry and Prakash (CAD 35, 2003, 411-420) on faces of that kind.
 
 Three trimmed faces of this folder (table1_*.step) have the loops, trimming curves and sizes of the paper's examples;
-the paper's own are not published. Each is offset by a tenth of its size to both sides with both methods at 0.1 mm. The
-results are measured by OpenCASCADE's projections (measure_offset.py), and drawn.
+the paper's own are not published. Each is offset by a tenth of its size to both sides with both methods at 0.1 mm, with
+the paper's also on a surface that is extended by the distance. The results are measured by OpenCASCADE's projections
+(measure_offset.py), and drawn.
 
 Usage: reproduce_table1.py OUT_FOLDER [--tolerance T] [--grid N] [--edge-points N] [--runs N] [--no-pictures]
 
@@ -17,7 +18,7 @@ import os
 import statistics
 import sys
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 # The add-on is two folders up from where it is installed; inside FreeCAD it is on the path anyway.
@@ -27,14 +28,19 @@ import measure_offset  # noqa: E402  (finds FreeCAD's modules, too)
 import laminate_offset as lo  # noqa: E402
 import Part  # noqa: E402
 
-METHODS = ("same-parameter", "ravi-kumar")
-DRAWN_METHOD = "ravi-kumar"
+# The routes of the table: the method, and whether the surface is extended by the distance on its four sides.
+ROUTES = {
+    "same-parameter": ("same-parameter", False),
+    "ravi-kumar": ("ravi-kumar", False),
+    "ravi-kumar, extended": ("ravi-kumar", True),  # all of the paper's steps
+}
+DRAWN = "ravi-kumar, extended"
 TITLES = {
     "example": "example",
     "loops": "loops",
     "curves": "trimming curves",
     "distance": "d [mm]",
-    "method": "method",
+    "route": "route",
     "poles": "poles",
     "degrees": "degrees",
     "time": "time [ms]",
@@ -74,7 +80,7 @@ class Case:
     example: Example
     base: Part.Face
     distance: float
-    method: str
+    route: str
     result: "lo.OffsetResult"
     time: float  # ms
     measured: "measure_offset.Measured"
@@ -88,7 +94,7 @@ class Case:
             "loops": str(report["loops"]),
             "curves": str(report["edges"]),
             "distance": "%g" % self.distance,
-            "method": self.method,
+            "route": self.route,
             "poles": "%dx%d" % (surface["poles_u"], surface["poles_v"]) if surface["poles_u"] else surface["type"],
             "degrees": "%d, %d" % (surface["degree_u"], surface["degree_v"]),
             "time": "%.1f" % self.time,
@@ -104,24 +110,17 @@ def shown(length: Optional[float]) -> str:
     return "none" if length is None else "%.2g" % length
 
 
-def offset_case(example: Example, distance: float, method: str, options: argparse.Namespace) -> Case:
+def offset_case(example: Example, distance: float, route: str, options: argparse.Namespace) -> Case:
     """Makes and measures one offset; the time is the median of the runs."""
     base = example.face()
+    method, extended = ROUTES[route]
+    extension = abs(distance) if extended else 0.0
     times = []
     for _ in range(options.runs):
-        result = lo.offset_face(base, distance, options.tolerance, method)
+        result = lo.offset_face(base, distance, options.tolerance, method, extension)
         times.append(result.report.to_dict()["elapsed_ms"]["total"])
     measured = measure_offset.measure(base, result.face, distance, options.grid, options.edge_points)
-    return Case(example, base, distance, method, result, statistics.median(times), measured)
-
-
-def extended_offset(base: Part.Face, distance: float, tolerance: float) -> Tuple[Part.Face, Part.Face]:
-    """The offset of the whole underlying surface, and the same extended by the distance on its four sides (3.1, 3.2)."""
-    whole = base.Surface.toShape()
-    if base.Orientation == "Reversed":
-        whole.reverse()
-    offset = lo.offset_face(whole, distance, tolerance, DRAWN_METHOD).face
-    return offset, lo.extend_face(offset, abs(distance)).face
+    return Case(example, base, distance, route, result, statistics.median(times), measured)
 
 
 def table(cases: Sequence[Case]) -> str:
@@ -148,58 +147,41 @@ def write_table(folder: str, cases: Sequence[Case]) -> None:
     os.replace(path + ".part", path)
 
 
-def draw_first_example(folder: str, case: Case, tolerance: float) -> None:
+def draw_first_example(folder: str, plain: Case, extended: Case) -> None:
     """Figures 1 to 6: base, offset and extended offset surface, in space and in parameters."""
     import table1_pictures as pictures
 
-    base, offset_face, d = case.base, case.result.face, case.distance
-    underlying = base.Surface.toShape()
-    offset, extended = extended_offset(base, d, tolerance)
+    base, d = plain.base, plain.distance
+    offset, wider = plain.result.face.Surface, extended.result.face.Surface
     trimmed = pictures.Layer(base, pictures.BASE, "base face", loops=True)
-    under = pictures.Layer(underlying, pictures.BASE, "underlying surface")
-    whole = pictures.Layer(offset, pictures.OFFSET, "its offset at %g mm" % d)
-    inside = pictures.Layer(offset, pictures.OFFSET, "offset surface at %g mm" % d, lift=0.03)
-    wider = pictures.Layer(extended, pictures.EXTENDED, "extended by %g mm" % abs(d))
-    loops = pictures.Layer(offset_face, pictures.OFFSET, "offset inside the loops", loops=True, lift=0.03)
-
-    def path(number: int) -> str:
-        return os.path.join(folder, "figure_%d.png" % number)
-
-    pictures.draw_in_space(path(1), "A trimmed surface with its loops (figure 1)", [pictures.View("", [trimmed])])
+    under = pictures.Layer(base.Surface.toShape(), pictures.BASE, "underlying surface")
+    whole = pictures.Layer(offset.toShape(), pictures.OFFSET, "offset surface at %g mm" % d, lift=0.03)
+    around = pictures.Layer(wider.toShape(), pictures.EXTENDED, "extended by %g mm" % abs(d))
+    loops = pictures.Layer(extended.result.face, pictures.OFFSET, "inside the offset loops", loops=True, lift=0.03)
+    in_space = {
+        1: ("A trimmed surface with its loops", [trimmed]),
+        3: ("Underlying surface and its offset", [under, whole]),
+        4: ("Offset surface, extended", [around, whole]),
+        5: ("Extended offset surface with the offset loops", [around, loops]),
+    }
+    for number, (title, layers) in in_space.items():
+        path = os.path.join(folder, "figure_%d.png" % number)
+        pictures.draw_in_space(path, "%s (figure %d)" % (title, number), [pictures.View("", layers)])
     pictures.draw_in_parameters(
-        path(2),
+        os.path.join(folder, "figure_2.png"),
         "The trimmed surface in its parameters [mm] (figure 2)",
         [pictures.Domain(base.Surface.bounds(), "underlying surface")],
         pictures.loops_of(base),
     )
-    pictures.draw_in_space(path(3), "Underlying surface and its offset (figure 3)", [pictures.View("", [under, whole])])
-    pictures.draw_in_space(path(4), "Offset surface, extended (figure 4)", [pictures.View("", [wider, inside])])
-    pictures.draw_in_space(
-        path(5), "Extended offset surface with the offset loops (figure 5)", [pictures.View("", [wider, loops])]
-    )
     pictures.draw_in_parameters(
-        path(6),
+        os.path.join(folder, "figure_6.png"),
         "Offset loops and the extended offset surface in its parameters [mm] (figure 6)",
         [
-            pictures.Domain(extended.ParameterRange, "extended offset surface"),
-            pictures.Domain(offset.ParameterRange, "offset surface", "--"),
+            pictures.Domain(wider.bounds(), "extended offset surface"),
+            pictures.Domain(offset.bounds(), "offset surface", "--"),
         ],
-        [loop_on(extended, wire) for wire in offset_face.Wires],
+        pictures.loops_of(extended.result.face),
     )
-
-
-def loop_on(face: Part.Face, wire: Part.Wire):
-    """The parametric image of a loop on a face (3.4)."""
-    import table1_pictures as pictures
-
-    curves = []
-    for edge in wire.OrderedEdges:
-        image = lo.project_curve(face, edge)
-        for curve, first, last in image.pcurves:
-            step = (last - first) / 60
-            points = pictures.np.array([(p.x, p.y) for p in (curve.value(first + k * step) for k in range(61))])
-            curves.append(points[::-1] if edge.Orientation == "Reversed" else points)
-    return pictures.Loop(curves)
 
 
 def draw_both_sides(folder: str, example: Example, cases: Sequence[Case]) -> None:
@@ -218,12 +200,13 @@ def draw_both_sides(folder: str, example: Example, cases: Sequence[Case]) -> Non
     pictures.draw_in_space(os.path.join(folder, "figure_%d.png" % number), title, views)
 
 
-def draw(folder: str, cases: Sequence[Case], tolerance: float) -> None:
+def draw(folder: str, cases: Sequence[Case]) -> None:
     """All figures, from the results of the paper's method."""
-    drawn = [case for case in cases if case.method == DRAWN_METHOD]
-    draw_first_example(folder, drawn[0], tolerance)
+    first = {case.route: case for case in reversed(cases) if case.example == EXAMPLES[0]}
+    draw_first_example(folder, first["ravi-kumar"], first[DRAWN])
     for example in EXAMPLES:
-        draw_both_sides(folder, example, [case for case in drawn if case.example == example])
+        sides = [case for case in cases if case.example == example and case.route == DRAWN]
+        draw_both_sides(folder, example, sides)
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -238,15 +221,15 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     os.makedirs(options.folder, exist_ok=True)
     cases: List[Case] = [
-        offset_case(example, sign * example.distance, method, options)
+        offset_case(example, sign * example.distance, route, options)
         for example in EXAMPLES
-        for method in METHODS
+        for route in ROUTES
         for sign in (1.0, -1.0)
     ]
     write_table(options.folder, cases)
     print(table(cases), end="")
     if not options.no_pictures:
-        draw(options.folder, cases, options.tolerance)
+        draw(options.folder, cases)
     worst = max(case.measured.worst for case in cases)
     met = worst <= options.tolerance
     print(

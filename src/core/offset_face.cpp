@@ -3,8 +3,9 @@
 
 #include "analysis/creases.h"
 #include "analysis/surface_analysis.h"
-#include "extension/extend_surface.h"
+#include "extension/extended_offset.h"
 #include "input/input_face.h"
+#include "projection/edge_images.h"
 #include "report/face_report.h"
 #include "surface/check_meetings.h"
 #include "surface/offset_surface.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 namespace laminate_offset
 {
@@ -86,7 +88,7 @@ private:
         Result<Made> whole = make(input.value(), m_options);
         if (!whole && whole.failure().status == Status::KinkedSurface)
             return run_parts(input.value());
-        if (whole && m_options.extension > 0.0)
+        if (whole && m_options.extension > 0.0 && m_options.method == Method::SameParameter)
             whole = extended(input.value(), std::move(whole).value());
         leave();
         if (!whole)
@@ -201,9 +203,12 @@ private:
         Result<OffsetSurface> surface = checked_surface(input, analysis.value(), distance, options);
         if (!surface)
             return surface.failure();
+        Result<Surroundings> around = surroundings(input, surface.value(), distance, options);
+        if (!around)
+            return around.failure();
         enter(Stage::Trimming);
-        Result<TrimLoops> loops =
-            offset_loops({input, analysis.value().base, surface.value(), distance, edge_share * options.tolerance});
+        Result<TrimLoops> loops = offset_loops({input, analysis.value().base, surface.value(), distance,
+                                                edge_share * options.tolerance, nullptr, around.value().image()});
         if (!loops)
             return loops.failure();
         if (const Result<bool> close = check_edges(input, surface.value(), loops.value(), options.tolerance); !close)
@@ -213,7 +218,46 @@ private:
         if (!face)
             return face.failure();
         OffsetReport own = face_report(input, analysis.value(), surface.value(), loops.value(), options);
+        own.extension = around.value().extension;
         return Made{std::move(surface).value(), std::move(loops).value(), face.value(), std::move(own)};
+    }
+
+    //! What the paper's route adds around the offset surface before it is trimmed: the extension, and what puts curves
+    //! onto it.
+    struct Surroundings
+    {
+        std::optional<Extension> extension;
+        std::shared_ptr<const EdgeImages> images;
+
+        [[nodiscard]] CurveImage image() const
+        {
+            if (!images)
+                return {};
+            return [on = images](const Handle(Geom_Curve) & curve, double first, double last, double accuracy) {
+                return on->image({curve, first, last}, accuracy);
+            };
+        }
+    };
+
+    //! Extends the surface itself where the paper's route is asked for an extension.
+    Result<Surroundings> surroundings(const InputFace &input, OffsetSurface &surface, double distance,
+                                      const OffsetOptions &options)
+    {
+        Surroundings around;
+        if (options.method != Method::RaviKumar || !(options.extension > 0.0))
+            return around;
+        enter(Stage::Extension);
+        Result<ExtendedOffset> extended = extend_offset(input, surface, distance, options.extension);
+        if (!extended)
+            return extended.failure();
+        surface = std::move(extended.value().surface);
+        around.extension = Extension{options.extension, std::move(extended.value().sides)};
+        if (!surface.parameter_map)
+            return around; // the result keeps the base's parameters, and with them its pcurves
+        std::optional<EdgeImages> images = EdgeImages::make(surface.geometry, extended.value().box, input.diagonal);
+        if (images)
+            around.images = std::make_shared<const EdgeImages>(std::move(*images));
+        return around;
     }
 
     Result<OffsetSurface> checked_surface(const InputFace &input, const SurfaceAnalysis &analysis, double distance,

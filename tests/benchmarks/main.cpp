@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// offset_benchmarks [--quick | --full | --corpus | --generated | --extension | --prototype | --memory | --nearest | --projection | --stack] [OUTPUT_FOLDER]
+// offset_benchmarks [--quick | --full | --corpus | --generated | --extension | --methods | --prototype | --memory | --nearest | --projection | --stack] [OUTPUT_FOLDER]
 #include "comparison.h"
 #include "corpus.h"
 #include "extension.h"
+#include "methods.h"
 #include "nearest.h"
 #include "projection.h"
 #include "stack.h"
@@ -22,13 +23,14 @@ constexpr const char *usage = R"(offset_benchmarks [MODE] [OUTPUT_FOLDER]
   --generated  generated faces against OpenCASCADE
   --corpus     every real face at +-0.1 % and +-1 % of its diagonal, our offsets alone
   --extension  every free-form real face extended by 5 % of its diagonal
+  --methods    the default method beside ravi-kumar, generated faces, shipped examples and some real ones
   --prototype  pole counts beside those of the prototype's least squares
   --memory     peak memory at 128x128 poles
   --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face
   --projection every edge of every real face put back onto its face
   --stack      16 and 200 plies on two fuselage panels: time, memory, OpenCASCADE ply by ply
   --nearest-quick  the same of every fifth face, 2,000 a face
-Tables go to the standard output, comparison.csv, worst.txt, corpus.csv and extension.csv into OUTPUT_FOLDER (default: here).
+Tables go to the standard output, comparison.csv, worst.txt, corpus.csv, extension.csv and methods.csv into OUTPUT_FOLDER (default: here).
 )";
 
 constexpr int quick_stride = 19;
@@ -61,6 +63,8 @@ int run(const std::string &mode, const std::filesystem::path &folder)
         run_nearest(real_faces(true, 5), 2000, std::cout);
     if (mode == "--extension")
         run_extension(real_faces(true), folder / "extension.csv", std::cout);
+    if (mode == "--methods")
+        run_methods(folder / "methods.csv", std::cout);
     if (mode == "--generated")
         run_comparison(generated_faces(), plan, folder);
     if (mode == "--quick" || mode == "--full")
@@ -94,7 +98,8 @@ int main(int argc, char **argv)
     }
     const bool known = mode == "--quick" || mode == "--full" || mode == "--generated" || mode == "--corpus" ||
                        mode == "--extension" || mode == "--prototype" || mode == "--memory" || mode == "--nearest" ||
-                       mode == "--projection" || mode == "--stack" || mode == "--nearest-quick";
+                       mode == "--projection" || mode == "--stack" || mode == "--nearest-quick" ||
+                       mode == "--methods";
     if (!known)
     {
         std::cerr << usage;

@@ -210,6 +210,7 @@ Outcome run_ours(const TopoDS_Face &face, const Task &task)
     laminate_offset::OffsetOptions options;
     options.distance = task.distance;
     options.tolerance = task.tolerance;
+    options.method = task.method;
     Outcome outcome;
     std::optional<Result<OffsetResult>> result;
     outcome.ms = timed(task.runs, [&] { result = laminate_offset::offset_face(face, options); });

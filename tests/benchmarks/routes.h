@@ -3,6 +3,8 @@
 //! The two ways to an offset that are compared, and what is measured of each.
 #pragma once
 
+#include <laminate_offset/base/options.h>
+
 #include <TopoDS_Face.hxx>
 
 #include <array>
@@ -16,6 +18,7 @@ struct Task
     double tolerance = 0.0; //!< [mm]
     int runs = 3;           //!< timed runs; slow ones are repeated less
     int grid = 100;         //!< samples in each direction for the independent error
+    laminate_offset::Method method = laminate_offset::Method::SameParameter; //!< ours
 };
 
 //! Plain bytes, so that it passes through a pipe.

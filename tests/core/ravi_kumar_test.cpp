@@ -8,7 +8,9 @@
 #include "support/sample_faces.h"
 
 #include <laminate_offset/analysis/surface_analysis.h>
+#include <laminate_offset/extension/extended_offset.h>
 #include <laminate_offset/offset_face.h>
+#include <laminate_offset/projection/edge_images.h>
 #include <laminate_offset/spline/monotone_map.h>
 #include <laminate_offset/surface/certificate.h>
 #include <laminate_offset/surface/piegl_tiller.h>
@@ -16,17 +18,28 @@
 #include <laminate_offset/trimming/space_curve.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Line.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 using namespace laminate_offset;
 using namespace test_support;
@@ -44,10 +57,11 @@ Handle(Geom_BSplineSurface) hills()
 
 TopoDS_Face whole(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-6).Face(); }
 
-Result<OffsetResult> by_ravi_kumar(const TopoDS_Face &face, double distance, double tolerance)
+Result<OffsetResult> by_ravi_kumar(const TopoDS_Face &face, double distance, double tolerance, double extension = 0.0)
 {
     OffsetOptions options;
     options.distance = distance;
+    options.extension = extension;
     options.tolerance = tolerance;
     options.method = Method::RaviKumar;
     return offset_face(face, options);
@@ -92,6 +106,106 @@ double dense_deviation(const Handle(Geom_Curve) & curve, const CurveOnSurface &c
         worst = std::max(worst, curve->Value(t).Distance(exact_offset_point(c.surface, uv.X(), uv.Y(), distance)));
     }
     return worst;
+}
+
+//! Signed area of every loop in the parameters of the face's surface, seen along the outward normal: positive for one that
+//! runs anticlockwise. In the order of the face's wires.
+std::vector<double> loop_areas(const TopoDS_Face &face)
+{
+    constexpr int samples = 64;
+    std::vector<double> areas;
+    const double side = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+    for (TopExp_Explorer wires(face, TopAbs_WIRE); wires.More(); wires.Next())
+    {
+        double area = 0.0;
+        for (TopExp_Explorer edges(wires.Current(), TopAbs_EDGE); edges.More(); edges.Next())
+        {
+            const TopoDS_Edge &edge = TopoDS::Edge(edges.Current());
+            double first, last;
+            const Handle(Geom2d_Curve) c = BRep_Tool::CurveOnSurface(edge, face, first, last);
+            const double sense = edge.Orientation() == TopAbs_REVERSED ? -side : side;
+            for (int k = 0; k < samples; ++k)
+            {
+                const gp_Pnt2d a = c->Value(first + (last - first) * k / samples);
+                const gp_Pnt2d b = c->Value(first + (last - first) * (k + 1) / samples);
+                area += 0.5 * sense * (a.X() * b.Y() - b.X() * a.Y());
+            }
+        }
+        areas.push_back(area);
+    }
+    return areas;
+}
+
+//! The outer loop of a face runs anticlockwise and all others clockwise.
+testing::AssertionResult runs_as_the_paper_says(const TopoDS_Face &face)
+{
+    const std::vector<double> areas = loop_areas(face);
+    const auto outer =
+        std::max_element(areas.begin(), areas.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    for (auto area = areas.begin(); area != areas.end(); ++area)
+        if ((*area > 0.0) != (area == outer))
+            return testing::AssertionFailure() << "a loop of area " << *area << " runs the wrong way round";
+    return testing::AssertionSuccess();
+}
+
+ParameterBox bounds_of(const TopoDS_Face &face)
+{
+    ParameterBox box;
+    BRep_Tool::Surface(face)->Bounds(box.umin, box.umax, box.vmin, box.vmax);
+    return box;
+}
+
+//! A result with an extended surface keeps all that is promised of one without.
+void expect_extended(const TopoDS_Face &base, const Result<OffsetResult> &result, double distance, double length,
+                     double tolerance)
+{
+    ASSERT_TRUE(result.ok()) << why(result);
+    const OffsetReport &report = result.value().report;
+    ASSERT_TRUE(report.extension.has_value());
+    EXPECT_EQ(report.extension->length, length);
+    ASSERT_EQ(report.extension->sides.size(), 4u);
+    for (const ExtendedSide &side : report.extension->sides)
+    {
+        EXPECT_NEAR(side.mean_length, length, 0.01 * length);
+        EXPECT_LE(side.join_angle, 1e-9);
+        EXPECT_EQ(side.moved_edges, 0);
+    }
+    ASSERT_TRUE(report.certified_error.has_value());
+    ASSERT_TRUE(report.edge_error.has_value());
+    EXPECT_LE(*report.certified_error, tolerance);
+    EXPECT_LE(*report.edge_error, tolerance);
+    OracleOptions how;
+    how.grid = 40;
+    how.edge_points = 100;
+    const OracleReport seen = measure_offset(base, result.value().face(), distance, how);
+    EXPECT_GT(seen.points, 500);
+    EXPECT_LE(seen.surface_error, *report.certified_error + rounding);
+    EXPECT_LE(seen.converse_error, *report.certified_error + rounding);
+    EXPECT_LE(seen.edge_error, *report.edge_error + rounding);
+    EXPECT_LE(seen.edge_converse, *report.edge_error + rounding);
+    EXPECT_GT(seen.least_cosine, 0.999);
+    EXPECT_EQ(seen.untold_pcurve_error, 0.0);
+    EXPECT_EQ(seen.loops, seen.base_loops);
+    EXPECT_EQ(seen.edges, seen.base_edges);
+    EXPECT_TRUE(seen.valid);
+    EXPECT_TRUE(seen.orientation_kept);
+    EXPECT_TRUE(seen.same_parameter);
+    EXPECT_TRUE(runs_as_the_paper_says(result.value().face()));
+}
+
+//! A piecewise constant-speed line in the parameters of a surface, as a curve in space through many of its points.
+Handle(Geom_BSplineCurve) interpolated(const Handle(Geom_Surface) & surface, const gp_Pnt2d &from, const gp_Pnt2d &to)
+{
+    constexpr int count = 60;
+    const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, count + 1);
+    for (int k = 0; k <= count; ++k)
+    {
+        const double t = static_cast<double>(k) / count;
+        points->SetValue(k + 1, surface->Value(from.X() + t * (to.X() - from.X()), from.Y() + t * (to.Y() - from.Y())));
+    }
+    GeomAPI_Interpolate through(points, false, 1e-9);
+    through.Perform();
+    return through.Curve();
 }
 
 } // namespace
@@ -280,6 +394,53 @@ TEST(SpaceCurve, IsProvenWhereFourSamplesAreNot)
     }
 }
 
+TEST(SpaceCurve, FourSamplesAcceptWhatTheProofRefuses)
+{
+    // Over one piece the pcurve's height vanishes twice at both ends and once at each of the paper's four samples, so that
+    // its cubic is the straight line and the samples see no error at all.
+    std::vector<double> height{1.0};
+    const auto times = [&](double root) {
+        std::vector<double> product(height.size() + 1, 0.0);
+        for (std::size_t i = 0; i < height.size(); ++i)
+        {
+            product[i] -= root * height[i];
+            product[i + 1] += height[i];
+        }
+        height = product;
+    };
+    for (const double root : {0.0, 0.0, 1.0, 1.0, 0.2, 0.4, 0.6, 0.8})
+        times(root);
+    constexpr int degree = 8;
+    TColgp_Array1OfPnt2d poles(1, degree + 1);
+    for (int j = 0; j <= degree; ++j)
+    {
+        double y = 0.0; // monomials into Bernstein polynomials
+        double ratio = 1.0;
+        for (int i = 0; i <= j; ++i)
+        {
+            y += ratio * height[static_cast<std::size_t>(i)];
+            ratio *= static_cast<double>(j - i) / (degree - i);
+        }
+        poles(j + 1) = gp_Pnt2d(static_cast<double>(j) / degree, 0.5 + y);
+    }
+    const Handle(Geom_Surface) plane = height_surface([](double, double) { return 0.0; }, 100.0, 100.0, 4, 4);
+    const std::optional<AnalyticSurface> form = AnalyticSurface::make(plane);
+    const CurveOnSurface c{plane, new Geom2d_BezierCurve(poles), 0.0, 1.0};
+    const EdgeTarget target(c, &*form);
+    SpaceCurveOptions paper;
+    paper.check = PieceCheck::FourSamples;
+    const auto sampled = space_curve(target, 1e-3, paper);
+    ASSERT_TRUE(sampled.has_value());
+    EXPECT_EQ(Handle(Geom_BSplineCurve)::DownCast(sampled->curve)->NbKnots(), 2);
+    const double missed = dense_deviation(sampled->curve, c, 0.0);
+    EXPECT_GT(missed, 2e-3) << "the samples had a chance";
+    EXPECT_GE(sampled->deviation.bound, missed - rounding) << "the report does not tell";
+    const auto proven = space_curve(target, 1e-3);
+    ASSERT_TRUE(proven.has_value());
+    EXPECT_TRUE(proven->deviation.proven);
+    EXPECT_LE(dense_deviation(proven->curve, c, 0.0), 1e-3);
+}
+
 TEST(SpaceCurve, IsTheIsoparametricCurveItself)
 {
     const Handle(Geom_Surface) surface = hills();
@@ -363,6 +524,119 @@ TEST(RaviKumar, OffsetsAPanelWithAHole)
             EXPECT_TRUE(seen.orientation_kept);
             EXPECT_TRUE(seen.same_parameter);
         }
+}
+
+TEST(RaviKumar, ExtendsTheSurfaceUnderAPanelWithAHole)
+{
+    for (const TopoDS_Face &face : {panel_with_hole(), reversed(panel_with_hole()), located(panel_with_hole())})
+        for (const double distance : {5.0, -40.0, 40.0})
+        {
+            const double tolerance = distance == 5.0 ? 1e-4 : 1e-2;
+            SCOPED_TRACE(testing::Message() << "distance " << distance << " tolerance " << tolerance);
+            const Result<OffsetResult> plain = by_ravi_kumar(face, distance, tolerance);
+            ASSERT_TRUE(plain.ok()) << why(plain);
+            const double length = std::abs(distance);
+            const Result<OffsetResult> wider = by_ravi_kumar(face, distance, tolerance, length);
+            expect_extended(face, wider, distance, length, tolerance);
+            const ParameterBox before = bounds_of(plain.value().face());
+            const ParameterBox after = bounds_of(wider.value().face());
+            EXPECT_LT(after.umin, before.umin - 0.5 * length); // chord length, mm
+            EXPECT_GT(after.umax, before.umax + 0.5 * length);
+            EXPECT_LT(after.vmin, before.vmin - 0.5 * length);
+            EXPECT_GT(after.vmax, before.vmax + 0.5 * length);
+            EXPECT_TRUE(runs_as_the_paper_says(face)) << "the base itself";
+            EXPECT_TRUE(runs_as_the_paper_says(plain.value().face()));
+            EXPECT_NEAR(*wider.value().report.certified_error, *plain.value().report.certified_error, 1e-9);
+        }
+}
+
+TEST(RaviKumar, ExtendsTheSurfaceUnderLoopsAlongItsBorder)
+{
+    const TopoDS_Face face = whole(hills());
+    for (const double distance : {-30.0, 30.0})
+        for (const double tolerance : {1.0, 1e-2, 1e-4})
+        {
+            SCOPED_TRACE(testing::Message() << "distance " << distance << " tolerance " << tolerance);
+            expect_extended(face, by_ravi_kumar(face, distance, tolerance, 30.0), distance, 30.0, tolerance);
+        }
+}
+
+TEST(RaviKumar, ImagesGoOnWhereACurveLeavesTheUnextendedSurface)
+{
+    const Result<InputFace> input = read_face(whole(hills()));
+    const double distance = 20.0, tolerance = 1e-2, accuracy = 1e-3;
+    const Result<SurfaceAnalysis> analysis = analyse(input.value(), distance, tolerance);
+    const Result<OffsetSurface> made =
+        piegl_tiller_offset(analysis.value(), input.value(), distance, tolerance, OffsetOptions());
+    ASSERT_TRUE(made.ok());
+    const Result<ExtendedOffset> extended = extend_offset(input.value(), made.value(), distance, 50.0);
+    ASSERT_TRUE(extended.ok());
+    EXPECT_NEAR(*extended.value().surface.certified_error, *made.value().certified_error, 1e-9);
+    EXPECT_GE(*extended.value().surface.certified_error, *made.value().certified_error);
+    const Handle(Geom_Surface) wide = extended.value().surface.geometry;
+    ParameterBox old;
+    made.value().geometry->Bounds(old.umin, old.umax, old.vmin, old.vmax);
+    const auto on_old = EdgeImages::make(made.value().geometry, old, input.value().diagonal);
+    const auto on_wide = EdgeImages::make(wide, extended.value().box, input.value().diagonal);
+    ASSERT_TRUE(on_old && on_wide);
+    // across every side of the old border, and past a corner
+    const gp_Pnt2d inside(0.5 * (old.umin + old.umax), 0.4 * old.vmin + 0.6 * old.vmax);
+    for (const gp_Pnt2d &outside : {gp_Pnt2d(old.umin - 40.0, inside.Y()), gp_Pnt2d(old.umax + 40.0, inside.Y() + 20.0),
+                                    gp_Pnt2d(inside.X(), old.vmin - 40.0), gp_Pnt2d(inside.X() + 30.0, old.vmax + 40.0),
+                                    gp_Pnt2d(old.umax + 30.0, old.vmax + 30.0)})
+    {
+        SCOPED_TRACE(testing::Message() << outside.X() << " " << outside.Y());
+        const Handle(Geom_Curve) curve = interpolated(wide, inside, outside);
+        const double first = curve->FirstParameter(), last = curve->LastParameter();
+        const Handle(Geom2d_Curve) image = on_wide->image({curve, first, last}, accuracy);
+        ASSERT_FALSE(image.IsNull());
+        EXPECT_LT(image->Value(first).Distance(inside), accuracy);
+        EXPECT_LT(image->Value(last).Distance(outside), accuracy);
+        double worst = 0.0;
+        for (int k = 0; k <= 1000; ++k)
+        {
+            const double t = first + (last - first) * k / 1000.0;
+            const gp_Pnt2d uv = image->Value(t);
+            worst = std::max(worst, curve->Value(t).Distance(wide->Value(uv.X(), uv.Y())));
+        }
+        EXPECT_LT(worst, accuracy);
+        const Handle(Geom2d_Curve) held = on_old->image({curve, first, last}, accuracy);
+        if (held.IsNull())
+            continue;
+        const gp_Pnt2d end = held->Value(last);
+        EXPECT_GT(curve->Value(last).Distance(made.value().geometry->Value(end.X(), end.Y())), 10.0);
+    }
+}
+
+TEST(RaviKumar, ExtendsSpecialShapesInTheirOwnParameters)
+{
+    const TopoDS_Face face = sphere_patch(100.0);
+    const Result<OffsetResult> result = by_ravi_kumar(face, 7.0, 1e-3, 10.0);
+    ASSERT_TRUE(result.ok()) << why(result);
+    EXPECT_EQ(result.value().report.surface->type, "sphere");
+    EXPECT_EQ(result.value().report.extension->sides.size(), 4u);
+    EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), 7.0, {50, 60}), 1e-6));
+    EXPECT_TRUE(runs_as_the_paper_says(result.value().face()));
+}
+
+TEST(RaviKumar, RefusesToExtendWhatIsClosedOrFolds)
+{
+    const TopoDS_Face tube = whole(wavy_tube(100.0));
+    const Result<OffsetResult> closed = by_ravi_kumar(tube, 4.0, 1e-2, 4.0);
+    ASSERT_FALSE(closed.ok());
+    EXPECT_EQ(closed.failure().status, Status::SelfIntersection);
+    // an arch that comes nearly round: long extensions meet
+    const Result<OffsetResult> far = by_ravi_kumar(panel_with_hole(), 5.0, 1e-2, 1e5);
+    ASSERT_FALSE(far.ok());
+    for (const auto &[result, face] : {std::pair{&closed, tube}, std::pair{&far, panel_with_hole()}})
+    {
+        EXPECT_EQ(result->failure().stage, Stage::Extension);
+        EXPECT_FALSE(result->failure().message.empty());
+        ASSERT_TRUE(result->failure().where.has_value());
+        const Where &where = *result->failure().where;
+        const gp_Pnt on_base = BRep_Tool::Surface(face)->Value(where.uv.X(), where.uv.Y());
+        EXPECT_LT(on_base.Distance(where.point), 1e-6) << "the place is not one of the base";
+    }
 }
 
 TEST(RaviKumar, TakesSpecialShapesAsTheyAre)

@@ -231,8 +231,9 @@ def offset_face(
         distance: signed distance in mm, or a FreeCAD length; positive is outward, negative is inward.
         tolerance: largest deviation of the result from the exact offset in mm, or a FreeCAD length; above zero.
         method: "same-parameter" (keeps the base's parametrisation and trimming curves) or "ravi-kumar".
-        extension: length in mm, or a FreeCAD length, by which the result is extended past its four sides as by
-            extend_face; zero or more. The report's errors do not speak of what lies past the base's edges.
+        extension: length in mm, or a FreeCAD length, by which the result is extended past its four sides; zero or more.
+            "same-parameter" extends the face as extend_face does, "ravi-kumar" only the surface under the loops, as the
+            paper does. The report's errors do not speak of what lies past the base's edges.
         max_degree: highest degree of the fitted surface, from 3 to 7; None leaves the choice to the engine.
         progress: called from time to time with a fraction from 0 to 1; returning False cancels. What it raises ends
             the computation and is raised again here.

@@ -33,9 +33,6 @@ Result<bool> check(const OffsetOptions &options)
     if (options.max_degree < 3 || options.max_degree > 7)
         return refusal(Status::InvalidOption,
                        fmt::format("max_degree {} is out of its range 3 to 7.", options.max_degree));
-    if (options.method == Method::RaviKumar && options.extension > 0.0)
-        return refusal(Status::NotSupported,
-                       "The method ravi-kumar does not extend its result yet; use extension 0, or same-parameter.");
     return true;
 }
 

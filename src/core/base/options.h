@@ -36,10 +36,11 @@ struct OffsetOptions
     //! Route. Default SameParameter.
     Method method = Method::SameParameter;
 
-    //! Arc length [mm] by which the result is extended past its four sides, G1 and by the mean rule, as extend_face
-    //! does: edges along a side move outwards, other edges stay. Range: >= 0. Default 0: no extension. The part past
-    //! the base's edges is the offset of nothing: errors and limits in the report are those of the rest. A face torn
-    //! along creases, or with a closed direction, is refused.
+    //! Arc length [mm] by which the result is extended past its four sides, G1 and by the mean rule. Range: >= 0.
+    //! Default 0: no extension. SameParameter extends the finished face as extend_face does: edges along a side move
+    //! outwards, other edges stay. RaviKumar extends the surface alone, as the paper does: the loops stay where they are,
+    //! with new pcurves on the extended surface. What lies past the base's edges is the offset of nothing: errors and limits in the report
+    //! are those of the rest. A face torn along creases, or with a closed direction, is refused.
     double extension = 0.0;
 
     //! Highest degree of the fitted surface in either direction. Range: 3 to 7. Default 7.

@@ -170,7 +170,29 @@ public:
         return pieces;
     }
 
+    //! Only the image, of a curve that stays in one piece.
+    [[nodiscard]] Handle(Geom2d_BSplineCurve) dropped() const
+    {
+        const std::vector<ImageRun> runs = m_marcher.runs(false);
+        if (runs.size() != 1)
+            return {};
+        const double part = fit_shares[0];
+        const Handle(Geom2d_BSplineCurve) fitted = hermite_pieces(runs.front(), part * m_tolerance, false);
+        return fitted.IsNull() ? fitted : simplified(fitted, removal_share * m_tolerance / m_marcher.speed());
+    }
+
 private:
+    //! Null where the cubics do not come within `admissible`.
+    [[nodiscard]] Handle(Geom2d_BSplineCurve)
+        hermite_pieces(const ImageRun &run, double admissible, bool on_surface) const
+    {
+        ImageFitter fitter(m_marcher, m_on, admissible, on_surface);
+        for (std::size_t i = 0; i + 1 < run.feet.size(); ++i)
+            if (!fitter.fit(run.feet[i], run.feet[i + 1], 0))
+                return {};
+        return fitter.curve(run.corners);
+    }
+
     [[nodiscard]] std::optional<ImagePiece> image(const ImageRun &run) const
     {
         double distance = 0.0;
@@ -182,13 +204,11 @@ private:
                 if (on_surface && distance > on_surface_share * m_tolerance)
                     continue;
                 const double room = on_surface ? m_tolerance - distance : m_tolerance;
-                ImageFitter fitter(m_marcher, m_on, (on_surface ? distance : 0.0) + share * room, on_surface);
-                bool fitted = true;
-                for (std::size_t i = 0; i + 1 < run.feet.size() && fitted; ++i)
-                    fitted = fitter.fit(run.feet[i], run.feet[i + 1], 0);
-                if (!fitted)
+                const Handle(Geom2d_BSplineCurve) fitted =
+                    hermite_pieces(run, (on_surface ? distance : 0.0) + share * room, on_surface);
+                if (fitted.IsNull())
                     continue;
-                if (std::optional<ImagePiece> piece = proven(fitter.curve(run.corners), on_surface, share * room))
+                if (std::optional<ImagePiece> piece = proven(fitted, on_surface, share * room))
                 {
                     piece->distance = distance;
                     return piece;
@@ -238,6 +258,11 @@ Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurv
                                          Outside outside)
 {
     return ImageMaker(on, curve, tolerance).make(outside);
+}
+
+Handle(Geom2d_Curve) dropped_pcurve(const ImageSurface &on, const SpaceCurve &curve, double accuracy)
+{
+    return ImageMaker(on, curve, accuracy).dropped();
 }
 
 } // namespace laminate_offset

@@ -58,4 +58,9 @@ struct ImagePiece
 Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance,
                                          Outside outside);
 
+//! The image of a curve that need not lie on the surface, in one piece and with the curve's parameter: seen at samples to be
+//! within `accuracy` [mm] of the nearest points. Nothing is proven.
+//! \return null where that is not reached, or where a seam splits the image.
+Handle(Geom2d_Curve) dropped_pcurve(const ImageSurface &on, const SpaceCurve &curve, double accuracy);
+
 } // namespace laminate_offset

@@ -54,6 +54,9 @@ Failure ReparametrisedEdges::refusal(const TrimmingCurve &base) const
 
 Result<OffsetEdge> ReparametrisedEdges::make_degenerated(const TrimmingCurve &base, OffsetEdge edge) const
 {
+    edge.pcurve = image(base);
+    if (edge.pcurve.IsNull())
+        return refusal(base);
     const CurveOnSurface on_offset{m_context.surface.geometry, edge.pcurve, edge.first, edge.last};
     const EdgeTarget target(on_offset, m_form);
     const double admissible = std::max(m_context.tolerance, Precision::Confusion());
@@ -80,9 +83,6 @@ Result<OffsetEdge> ReparametrisedEdges::make(const TrimmingCurve &base) const
     edge.own_parameters = true;
     edge.first = base.first;
     edge.last = base.last;
-    edge.pcurve = image(base);
-    if (edge.pcurve.IsNull())
-        return refusal(base);
     if (base.degenerated)
         return make_degenerated(base, std::move(edge));
     const EdgeTarget on_spline(on_base(base), m_base_form ? &*m_base_form : nullptr);
@@ -93,6 +93,11 @@ Result<OffsetEdge> ReparametrisedEdges::make(const TrimmingCurve &base) const
     edge.curve = made->curve;
     if (made->deviation.proven)
         edge.offset_error = made->deviation.bound;
+    edge.pcurve = m_context.image
+                      ? m_context.image(edge.curve, edge.first, edge.last, image_share * m_context.tolerance)
+                      : image(base);
+    if (edge.pcurve.IsNull())
+        return refusal(base);
     const EdgeTarget target({m_context.surface.geometry, edge.pcurve, edge.first, edge.last}, m_form);
     edge.deviation = target.deviation(edge.curve, whole_tolerance(m_context));
     if (edge.deviation.bound > whole_tolerance(m_context))

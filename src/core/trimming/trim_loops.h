@@ -16,6 +16,7 @@
 #include <Geom_Curve.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include <functional>
 #include <vector>
 
 namespace laminate_offset
@@ -52,6 +53,11 @@ struct TrimLoops
     [[nodiscard]] double sampled_error() const;
 };
 
+//! The image of a curve in space on the offset surface, with the curve's parameter, within an accuracy [mm]; null where
+//! that is not reached.
+using CurveImage =
+    std::function<Handle(Geom2d_Curve)(const Handle(Geom_Curve) & curve, double first, double last, double accuracy)>;
+
 //! Everything an edge is fitted against.
 struct EdgeContext
 {
@@ -62,6 +68,8 @@ struct EdgeContext
     double tolerance = 0.0; //!< largest deviation of an edge curve from the offset surface [mm]
     //! The distance itself where it varies over the parameters; null: it is `distance` everywhere.
     const ScalarSpline *varying = nullptr;
+    //! For a surface with a parameter map: how edges get their pcurves. Empty: as the base's pcurves through the map.
+    CurveImage image = {};
 };
 
 //! Largest distance seen of a curve from S + d N over the base's pcurve, at equal parameters [mm].
