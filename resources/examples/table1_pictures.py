@@ -175,12 +175,12 @@ def draw_view(axes, view: View) -> None:
 
 
 def save(figure, path: str) -> None:
-    """Writes the figure without its white border, in 64 colours."""
+    """Writes the figure without its white border, in 128 colours."""
     temporary = path + ".part.png"
     figure.savefig(temporary, dpi=DPI, bbox_inches="tight", pad_inches=0.1)
     plt.close(figure)
     with Image.open(temporary) as picture:
-        few = picture.convert("RGB").quantize(64)
+        few = picture.convert("RGB").quantize(128)
     few.save(temporary, optimize=True)
     os.replace(temporary, path)
 

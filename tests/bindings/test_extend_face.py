@@ -73,6 +73,19 @@ def test_offset_face_extends_its_result() -> None:
     assert lo.offset_face(plate_with_hole(), 2.0).report.extension is None
 
 
+def test_the_papers_route_extends_the_surface_and_keeps_the_loops() -> None:
+    wavy = [[FreeCAD.Vector(50 * i, 40 * j, (i - 2) ** 2 - (j - 1) ** 2) for j in range(4)] for i in range(5)]
+    surface = Part.BSplineSurface()
+    surface.interpolate(wavy)
+    plain, wider = (lo.offset_face(surface.toShape(), -5.0, 1e-2, "ravi-kumar", extension) for extension in (0, 20.0))
+    assert wider.face.isValid() and len(wider.face.Edges) == 4
+    assert plain.report.extension is None
+    assert [side["moved_edges"] for side in wider.report.extension.sides] == [0, 0, 0, 0]
+    assert wider.face.Area == pytest.approx(plain.face.Area, rel=1e-4)
+    assert wider.face.Surface.toShape().Area > 1.2 * wider.face.Area
+    assert wider.report.certified_error <= 1e-2 and wider.report.edge_error <= 1e-2
+
+
 def test_command_line(command_line, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
     source, output, report = (tmp_path / name for name in ("in.brep", "out.brep", "report.json"))
     Part.makePlane(30, 20).exportBrep(str(source))

@@ -73,7 +73,7 @@ Handle(Geom_BSplineCurve) curve_of(const PoleLines &lines)
 //! Eq. 3.5 to 3.8: a straight piece with the last pole's weight, of the curve's own degree.
 PoleLines straight_to(const PoleLines &lines, double increment, double length)
 {
-    PoleLines result = lines;
+    PoleLines result = lines; // eq. 3.5
     PoleLine &line = result.lines.front();
     const int p = lines.knots.degree;
     const Eigen::Vector4d last = line.back();

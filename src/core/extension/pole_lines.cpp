@@ -138,7 +138,7 @@ std::optional<PoleLines> mirrored_once(const PoleLines &lines, double end, const
     const KnotVector &old = lines.knots;
     const double b = old.back();
     const double from = std::max(at_knot(old, b - (end - b)), old.front()); // eq. 3.2
-    const PoleLines piece = cut_at_start(lines, from);
+    const PoleLines piece = cut_at_start(lines, from); // the knots of eq. 3.3 from the inserted one on
     const double ratio = leg_ratio(piece);
     PoleLines result = lines;
     for (std::size_t k = 0; k < lines.lines.size(); ++k)

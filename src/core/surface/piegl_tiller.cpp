@@ -329,6 +329,7 @@ private:
         const auto fit_v = LeastSquaresFit::make(v, vs);
         if (!fit_u || !fit_v)
             return std::nullopt;
+        // S + d N (eq. 3.1) at the places that the interpolant's parameters belong to
         const RowMatrix rows = m_sampler.rows(m_distance, mapped(m_map->u, us), mapped(m_map->v, vs), false);
         const RowMatrix net = fit_v->solve(transposed_points(fit_u->solve(rows)));
         TensorSpline spline{u, v, {}, false};

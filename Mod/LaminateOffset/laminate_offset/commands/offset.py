@@ -43,7 +43,8 @@ def add_to(commands: Any) -> None:
         type=float,
         default=defaults["extension"],
         metavar="E",
-        help="length in mm to extend the result past the edges (default: %(default)s)",
+        help="length in mm to extend the result past its four sides; ravi-kumar extends the surface, not its loops "
+        "(default: %(default)s)",
     )
     add(
         "--max-degree",
