@@ -98,8 +98,7 @@ int main(int argc, char **argv)
     }
     const bool known = mode == "--quick" || mode == "--full" || mode == "--generated" || mode == "--corpus" ||
                        mode == "--extension" || mode == "--prototype" || mode == "--memory" || mode == "--nearest" ||
-                       mode == "--projection" || mode == "--stack" || mode == "--nearest-quick" ||
-                       mode == "--methods";
+                       mode == "--projection" || mode == "--stack" || mode == "--nearest-quick" || mode == "--methods";
     if (!known)
     {
         std::cerr << usage;
