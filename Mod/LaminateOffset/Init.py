@@ -1,2 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs at every start of FreeCAD, with or without the GUI. Being on the module path is all the add-on needs."""
+"""Read by FreeCAD at start, with and without the GUI: tells it of our tests, for its test workbench and `freecad -t`."""
+
+import FreeCAD
+
+FreeCAD.__unit_test__ += ["TestLaminateOffset"]

@@ -25,8 +25,9 @@ class LaminateOffsetWorkbench(FreeCADGui.Workbench):
 
         resources.register()
         layout = commands.register()
-        self.appendToolbar("Laminate Offset", layout)
-        self.appendMenu("&Laminate Offset", layout)
+        title = commands.TITLE
+        self.appendToolbar(title, layout)
+        self.appendMenu(title, layout)
 
     def ContextMenu(self, recipient):
         """Offers what can be done with the selection, in the 3-D view and in the tree."""

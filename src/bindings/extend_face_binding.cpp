@@ -39,7 +39,7 @@ ExtensionOptions make_options(double length, const std::vector<std::string> &sid
     return options;
 }
 
-//! The new face and its report as JSON text. The GIL is kept, as for offset_limits: the work takes milliseconds.
+//! The new face and its report as JSON text. The GIL is kept: the work takes milliseconds.
 py::tuple extend_face_for_python(const py::object &shape, double length, const std::vector<std::string> &sides,
                                  const std::string &continuity, const std::string &rule)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "nearest_point_binding.h"
 
+#include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
 
@@ -30,12 +31,19 @@ std::vector<gp_Pnt> read_points(const Points &points)
     return result;
 }
 
-//! The arrays (n, 2) of parameters, (n, 3) of points, (n,) of distances. The GIL is kept: no other thread of Python
-//! can change the face meanwhile.
+//! A search for many points takes seconds: other threads of Python go on, and have no hold on the copy of the face.
+Result<std::vector<NearestPoint>> search_without_gil(const TopoDS_Shape &face, const std::vector<gp_Pnt> &points,
+                                                     bool trimmed)
+{
+    const py::gil_scoped_release release;
+    return nearest_points(face, points, trimmed);
+}
+
+//! The arrays (n, 2) of parameters, (n, 3) of points, (n,) of distances.
 py::tuple nearest_point_for_python(const py::object &shape, const Points &points, bool trimmed)
 {
     const Result<std::vector<NearestPoint>> found =
-        nearest_points(from_part(shape, selected_exchange()), read_points(points), trimmed);
+        search_without_gil(detached(from_part(shape, selected_exchange())), read_points(points), trimmed);
     if (!found)
         raise(found.failure(), OffsetOptions{});
     const auto count = static_cast<py::ssize_t>(found.value().size());

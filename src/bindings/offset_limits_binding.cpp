@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_limits_binding.h"
 
+#include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
 
@@ -17,11 +18,17 @@ namespace laminate_offset::python
 namespace
 {
 
-//! The limits as JSON text. The search takes milliseconds, so the GIL is kept: no other thread of Python
-//! can change the face meanwhile.
+//! Large faces take a second: other threads of Python go on, and have no hold on the copy of the face.
+Result<OffsetLimits> search_without_gil(const TopoDS_Shape &face)
+{
+    const py::gil_scoped_release release;
+    return offset_limits(face);
+}
+
+//! The limits as JSON text.
 std::string offset_limits_for_python(const py::object &shape)
 {
-    const Result<OffsetLimits> limits = offset_limits(from_part(shape, selected_exchange()));
+    const Result<OffsetLimits> limits = search_without_gil(detached(from_part(shape, selected_exchange())));
     if (!limits)
         raise(limits.failure(), OffsetOptions{});
     return to_json(limits).dump();

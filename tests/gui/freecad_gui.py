@@ -13,7 +13,7 @@ ADDON = pathlib.Path(os.environ["LAMINATE_OFFSET_BUILD_DIR"]) / "Mod" / "Laminat
 OUT = pathlib.Path(os.environ["LAMINATE_OFFSET_BUILD_DIR"]) / "tests" / "gui" / "out"
 
 #: A scenario takes about 10 s; a hang is FreeCAD waiting for someone to answer a dialog.
-TIMEOUT_S = 120
+TIMEOUT_S = 240
 
 _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">

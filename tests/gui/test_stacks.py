@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Layups, ply stacks, core samples and what else there is beside offsets, in FreeCAD's GUI."""
 
+import os
+import pathlib
+
+import pytest
 from freecad_gui import run_scenario
+
+DATA = pathlib.Path(os.environ["LAMINATE_OFFSET_PROJECT_DIR"]).parent / "shared" / "data"
 
 
 def test_layup_is_typed_and_stacked():
@@ -10,3 +16,15 @@ def test_layup_is_typed_and_stacked():
 
 def test_limits_extension_and_deviation():
     run_scenario("other_commands", refusals=["tick at least one"])
+
+
+def test_event_loop_goes_on_during_previews():
+    if not DATA.is_dir():
+        pytest.skip("../shared/data is not there")
+    run_scenario("responsive")
+
+
+def test_escape_ends_a_stack_of_200_plies():
+    if not DATA.is_dir():
+        pytest.skip("../shared/data is not there")
+    run_scenario("cancel_stack", refusals=["cancelled"])

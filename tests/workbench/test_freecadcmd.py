@@ -109,3 +109,16 @@ def test_macro_example(tmp_path):
     done = run_freecadcmd(macro, home=tmp_path)
     assert "Offset of Panel: Face1" in done.stdout, done.stdout + done.stderr
     assert "Exception" not in done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("install", ["option", "user"])
+def test_own_tests_run_in_freecad(tmp_path, install):
+    """What a user sees in FreeCAD's test workbench: the module is registered and passes."""
+    code = (
+        "import sys, unittest, FreeCAD; assert 'TestLaminateOffset' in FreeCAD.__unit_test__; "
+        "suite = unittest.defaultTestLoader.loadTestsFromName('TestLaminateOffset'); "
+        "done = unittest.TextTestRunner(stream=sys.stdout).run(suite); "
+        "sys.exit(0 if done.wasSuccessful() and done.testsRun == 7 else 1)"
+    )
+    done = run_freecadcmd("-c", code, home=tmp_path, install=install)
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -164,6 +164,17 @@ def test_named_plies_come_and_go_with_the_layup(doc, wavy, layup):
     assert plies_of(stack) == [] and stack.Status == "ok"
 
 
+def test_solid_plies(doc, wavy, layup):
+    stack = make_ply_stack(wavy, "Face1", layup, output=OUTPUTS[1])
+    stack.Solids = True
+    doc.recompute()
+    assert stack.Status == "ok" and len(stack.Shape.Solids) == 6
+    for ply in plies_of(stack):
+        (solid,) = ply.Shape.Solids
+        assert solid.isValid() and solid.isClosed()
+        assert solid.Volume == pytest.approx(ply.Thickness.Value * wavy.Shape.Area, rel=0.05)
+
+
 def test_ply_of_a_deleted_stack_says_so(doc, wavy, layup):
     stack = make_ply_stack(wavy, "Face1", layup, output=OUTPUTS[1])
     ply = plies_of(stack)[2]

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A core sample of a ply stack: which plies are met at a point, and from where to where."""
 
-from typing import Any, Dict, List
+from typing import Any, Dict
 
 import FreeCAD as App
 import Part
 
-import laminate_offset as lo
-
 from ..view_settings import SAMPLE_LOOK, ViewProvider
-from .base_face import BaseFaceError, linked_faces, place_result
+from .base_face import BaseFaceError, place_result
 from .outcome import Feature, accept, add_feature
-from .ply_stack import ply_reports
+from .ply_stack import result_of
 from .properties import READ_ONLY, Property
 
 
@@ -35,16 +33,14 @@ class CoreSampleFeature(Feature):
 
     def compute(self, obj: Any) -> None:
         """Finds the foot of the point and lists the plies there."""
-        stack = _stack(obj)
-        ((_, face),) = linked_faces(stack.Base)
-        foot, normal = _foot(face, obj.Point)
-        met = met_plies(stack)
-        edges = [Part.makeLine(foot + normal * ply["bottom"], foot + normal * ply["top"]) for ply in met]
+        core = result_of(_stack(obj)).core_sample(obj.Point)
+        edges = [Part.makeLine(layer.start, layer.end) for layer in core.layers]
         place_result(obj, [Part.makeCompound(edges)])
-        obj.Foot, obj.Normal = foot, normal
+        met = [_entry(layer) for layer in core.layers]
+        obj.Foot, obj.Normal = core.foot, core.normal
         obj.Plies = [describe(ply) for ply in met]
         obj.PlyCount = len(met)
-        obj.Thickness = sum(ply["thickness"] for ply in met)
+        obj.Thickness = core.thickness
         accept(obj, f"{obj.PlyCount} plies, {obj.Thickness.Value:g} mm", met)
 
     def refused(self, obj: Any) -> None:
@@ -66,12 +62,6 @@ def add_core_sample(doc: Any) -> Any:
     return add_feature(doc, CoreSampleFeature, "CoreSample")
 
 
-def met_plies(stack: Any) -> List[Dict[str, Any]]:
-    """Number, name, material, angle, thickness, bottom and top of the plies of a stack, from the tool outwards."""
-    keys = ("number", "name", "material", "angle", "thickness", "bottom", "top")
-    return [{key: report[key] for key in keys} for report in ply_reports(stack)]
-
-
 def describe(ply: Dict[str, Any]) -> str:
     """A line for the user, e.g. "1  P1  IM7-8552-134  45 deg  from 0 to 0.134 mm"."""
     return "{number}  {name}  {material}  {angle:g} deg  from {bottom:.6g} to {top:.6g} mm".format(**ply)
@@ -85,7 +75,14 @@ def _stack(obj: Any) -> Any:
     return obj.Stack
 
 
-def _foot(face: Any, point: Any) -> Any:
-    """The point of the trimmed face nearest to a given one, and the outward normal there."""
-    u, v = lo.nearest_point(face, [tuple(point)], trimmed=True).uv[0]
-    return face.valueAt(u, v), face.normalAt(u, v)
+def _entry(layer: Any) -> Dict[str, Any]:
+    ply = layer.ply.ply
+    return {
+        "number": ply.number,
+        "name": ply.name,
+        "material": ply.ply.material,
+        "angle": ply.ply.angle,
+        "thickness": layer.thickness,
+        "bottom": layer.bottom,
+        "top": layer.top,
+    }

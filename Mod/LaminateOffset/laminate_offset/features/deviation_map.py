@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How far an offset is from the exact offset, sampled at the corners of a mesh."""
 
-from typing import Any, List, NamedTuple, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 import FreeCAD as App
 import numpy
@@ -9,9 +9,14 @@ import numpy
 import laminate_offset as lo
 
 from ..view_settings import ViewProvider
+from . import progress
 from .base_face import BaseFaceError, container_placement, linked_faces
 from .outcome import Feature, accept, add_feature
 from .properties import HIDDEN, READ_ONLY, Property
+
+
+#: Points that are measured between two looks at whether the user has cancelled.
+_AT_ONCE = 2000
 
 
 class Samples(NamedTuple):
@@ -46,7 +51,8 @@ class DeviationMapFeature(Feature):
 
     def compute(self, obj: Any) -> None:
         """Samples the offset anew."""
-        samples = joined([sample(*pair, obj.Triangles) for pair in _pairs(obj.Offset)])
+        pairs, least = _pairs(obj.Offset), obj.Triangles
+        samples = progress.run(obj.Label, lambda report: _sample_all(pairs, least, report))
         obj.Points = [App.Vector(*point) for point in samples.points]
         obj.Corners = samples.triangles.ravel().tolist()
         obj.Lowest, obj.Highest = float(samples.deviations.min()), float(samples.deviations.max())
@@ -68,18 +74,30 @@ def make_deviation_map(offset: Any, triangles: int = 4000) -> Any:
     return feature
 
 
-def sample(base: Any, offset: Any, distance: float, least: int) -> Samples:
+def sample(base: Any, offset: Any, distance: float, least: int, report: Optional[progress.Report] = None) -> Samples:
     """Samples one offset face.
 
     base: the base face. offset: its offset, or one part of it. distance: of the offset [mm]. least: number of triangles.
+    Raises OffsetError when report returns False.
     """
     corners, indices = offset.tessellate(0.01 * offset.BoundBox.DiagonalLength)
     points = numpy.array([tuple(corner) for corner in corners])
     triangles = numpy.array(indices)
     while len(triangles) < least:
         points, triangles = _halved(offset, points, triangles)
-    nearest = lo.nearest_point(base, points)
-    return Samples(points, triangles, nearest.distance - abs(distance))
+    distances = []
+    for start in range(0, len(points), _AT_ONCE):
+        if report is not None and not report(start / len(points)):
+            raise lo.OffsetError("cancelled", "analysis", "The sampling was cancelled.")
+        distances.append(lo.nearest_point(base, points[start : start + _AT_ONCE]).distance)
+    return Samples(points, triangles, numpy.concatenate(distances) - abs(distance))
+
+
+def _sample_all(pairs: List[Tuple[Any, Any, float]], least: int, report: Optional[progress.Report]) -> Samples:
+    parts = []
+    for index, pair in enumerate(pairs):
+        parts.append(sample(*pair, least, progress.part_of(report, index, len(pairs))))
+    return joined(parts)
 
 
 def joined(parts: List[Samples]) -> Samples:

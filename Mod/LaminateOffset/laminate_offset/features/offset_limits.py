@@ -11,6 +11,7 @@ import laminate_offset as lo
 from ..errors import describe_range
 from ..messages import place
 from ..view_settings import LIMITS_LOOK, ViewProvider
+from . import progress
 from .base_face import linked_faces, place_result, rooted_links
 from .outcome import Feature, accept, add_feature
 from .properties import READ_ONLY, Property
@@ -56,8 +57,7 @@ class OffsetLimitsFeature(Feature):
     def compute(self, obj: Any) -> None:
         """The tightest limits of all faces."""
         faces = linked_faces(obj.Base)
-        found = [(face, _limits(name, face)) for name, face in faces]
-        marks = [_tightest(found, side) for side in ("negative", "positive")]
+        found, marks = progress.run(obj.Label, lambda report: limits_of(faces, report))
         obj.Negative, obj.Positive = (math.nan if mark is None else mark.distance for mark in marks)
         obj.Proven = all(limits.proven for _, limits in found)
         shown = [mark for mark in marks if mark is not None]
@@ -87,6 +87,18 @@ def make_offset_limits(base_obj: Any, sub: Union[str, Iterable[str]], doc: Optio
 def add_offset_limits(doc: Any) -> Any:
     """Adds limits that have no base face yet."""
     return add_feature(doc, OffsetLimitsFeature, "OffsetLimits")
+
+
+def limits_of(
+    faces: List[Tuple[str, Any]], report: Optional[progress.Report]
+) -> Tuple[List[Any], List[Optional[Mark]]]:
+    """Every face with its limits, and the tightest of them on the negative and the positive side."""
+    found = []
+    for index, (name, face) in enumerate(faces):
+        if report is not None and not report(index / len(faces)):
+            raise lo.OffsetError("cancelled", "analysis", "The search was cancelled.")
+        found.append((face, _limits(name, face)))
+    return found, [_tightest(found, side) for side in ("negative", "positive")]
 
 
 def _limits(name: str, face: Any) -> Any:

@@ -3,7 +3,8 @@
 
 import json
 import math
-from typing import Any, Dict, List, Optional
+from collections import OrderedDict
+from typing import Any, Dict, List, Optional, Tuple
 
 import Part
 
@@ -22,7 +23,7 @@ COLOURS = ["by angle", "by material"]
 
 
 class PlyStackFeature(Feature):
-    """Proxy of the Part::FeaturePython object. Its shape is a compound of the plies' surfaces, from the tool outwards."""
+    """Proxy of the Part::FeaturePython object. Its shape is a compound of the plies, from the tool outwards."""
 
     VIEW_PROVIDER = ViewProvider("laminate_offset.gui.view_providers.ply_stack", "PlyStackViewProvider", OFFSET_LOOK)
     PROPERTIES = (
@@ -37,6 +38,7 @@ class PlyStackFeature(Feature):
             "Highest degree of the surfaces, 3 to 7",
             (7, 3, 7, 1),
         ),
+        Property("App::PropertyBool", "Solids", "Stack", "Solid plies instead of surfaces", False),
         Property("App::PropertyEnumeration", "Output", "Stack", "One compound, or an object for every ply", OUTPUTS),
         Property("App::PropertyEnumeration", "Colours", "Stack", "What the plies' colours stand for", COLOURS),
         Property("App::PropertyLength", "Thickness", "Report", "Of the whole stack", 0.0, READ_ONLY),
@@ -52,12 +54,13 @@ class PlyStackFeature(Feature):
     def compute(self, obj: Any) -> None:
         """Lays the plies, from one fit."""
         stack = _stack(obj)
-        place_result(obj, [stack.to_shape()])
+        place_result(obj, [stack.to_shape(solids=obj.Solids)])
         accept(obj, stack.summary(), stack.ply_reports())
         obj.Thickness = stack.report["thickness"]
         obj.PlyCount = len(stack.plies)
         obj.CertifiedError = _figure(stack.report["certified_error"])
         obj.EdgeError = _figure(stack.report["edge_error"])
+        _remember(obj, stack)
         _match_plies(obj)
 
     def refused(self, obj: Any) -> None:
@@ -144,6 +147,26 @@ def plies_of(stack: Any) -> List[Any]:
 def ply_reports(stack: Any) -> List[Dict[str, Any]]:
     """What the last good recompute told about every ply; [] when there was none."""
     return json.loads(stack.ReportJson) if stack.Status == "ok" else []
+
+
+def result_of(stack: Any) -> Any:
+    """The laminate_offset.PlyStack behind a stack object that is not refused; made again after a document was loaded."""
+    found = _results.get((stack.Document.Name, stack.Name))
+    if found is None or found[0] != stack.ReportJson:
+        return _remember(stack, _stack(stack))
+    return found[1]
+
+
+#: The latest results with their reports, by document and object.
+_results: "OrderedDict[Tuple[str, str], Tuple[str, Any]]" = OrderedDict()
+_RESULTS = 4
+
+
+def _remember(stack: Any, result: Any) -> Any:
+    _results[stack.Document.Name, stack.Name] = (stack.ReportJson, result)
+    while len(_results) > _RESULTS:
+        _results.popitem(last=False)
+    return result
 
 
 def _stack(obj: Any) -> Any:

@@ -4,6 +4,9 @@
 from typing import Any, List, Tuple
 
 import FreeCAD as App
+import numpy
+
+from .. import _core
 
 _COLOUR = (0.54, 0.89, 0.20)
 _HEAD = 0.3
@@ -12,23 +15,24 @@ _RADIUS = 0.035
 
 def anchor(face: Any) -> Tuple[Any, Any]:
     """A point on the face [mm], near its middle and not in a hole, and the outward normal there."""
-    u, v = face.Surface.parameter(face.CenterOfMass)
-    if not face.isPartOfDomain(u, v):
-        u, v = _inside(face)
-    return face.valueAt(u, v), face.normalAt(u, v)
-
-
-def _inside(face: Any) -> Tuple[float, float]:
-    """Parameters of a point inside the loops: the first hit of ever finer grids, else the middle of the range."""
     u0, u1, v0, v1 = face.ParameterRange
+    places = numpy.array([(u0 + a * (u1 - u0), v0 + b * (v1 - v0)) for a, b in _SHARES])
+    points, normals, inside = _core.evaluate_face(face, places)
+    usable = numpy.isfinite(normals).all(axis=1)
+    first = next((index for index in range(len(places)) if inside[index] and usable[index]), 0)
+    return App.Vector(*points[first]), App.Vector(*normals[first])
+
+
+def _shares() -> List[Tuple[float, float]]:
+    """Places in the unit square, ever finer grids around its middle."""
+    shares = []
     for count in (1, 3, 7, 15, 31):
         fractions = sorted(((i + 0.5) / count for i in range(count)), key=lambda f: abs(f - 0.5))
-        for fv in fractions:
-            for fu in fractions:
-                u, v = u0 + fu * (u1 - u0), v0 + fv * (v1 - v0)
-                if face.isPartOfDomain(u, v):
-                    return u, v
-    return (u0 + u1) / 2, (v0 + v1) / 2
+        shares += [(a, b) for b in fractions for a in fractions]
+    return shares
+
+
+_SHARES = _shares()
 
 
 class DirectionArrow:
@@ -37,6 +41,8 @@ class DirectionArrow:
     def __init__(self, view: Any):
         self._scene = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
         self._node = None
+        self._faces: List[Any] = []
+        self._anchors: List[Tuple[Any, Any]] = []
 
     def show(self, faces: List[Any], distance: float) -> None:
         """Replaces the arrows; distance [mm] gives side and least length."""
@@ -49,9 +55,16 @@ class DirectionArrow:
         style = coin.SoPickStyle()
         style.style = coin.SoPickStyle.UNPICKABLE
         self._node.addChild(style)
-        for face in faces:
-            self._node.addChild(_arrow(face, distance))
+        self._find_anchors(faces)
+        for face, place in zip(faces, self._anchors):
+            self._node.addChild(_arrow(face, place, distance))
         self._scene.addChild(self._node)
+
+    def _find_anchors(self, faces: List[Any]) -> None:
+        """The same faces keep theirs: a distance that is being typed must not wait for them."""
+        same = len(faces) == len(self._faces) and all(a.isEqual(b) for a, b in zip(faces, self._faces))
+        if not same:
+            self._faces, self._anchors = faces, [anchor(face) for face in faces]
 
     def remove(self) -> None:
         """Takes the arrows away. Harmless when there are none."""
@@ -60,10 +73,10 @@ class DirectionArrow:
             self._node = None
 
 
-def _arrow(face: Any, distance: float) -> Any:
+def _arrow(face: Any, place: Tuple[Any, Any], distance: float) -> Any:
     from pivy import coin
 
-    point, normal = anchor(face)
+    point, normal = place
     length = max(abs(distance), 0.15 * face.BoundBox.DiagonalLength)
     direction = normal if distance >= 0 else normal.negative()
     turn = App.Rotation(App.Vector(0, 1, 0), direction)

@@ -47,7 +47,7 @@ def angle_colours() -> Dict[float, Colour]:
 
 
 def apply() -> None:
-    """Lets the engine heed the preferences that are its own."""
+    """Lets the engine heed the preferences that are its own; called before it computes."""
     from .. import _core
 
     _core.limit_threads(thread_count())

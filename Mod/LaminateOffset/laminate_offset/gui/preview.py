@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A see-through picture of an offset before it is made.
 
-What is drawn is the base's mesh, its corners moved along their normals: the exact offset at these points, from which the
-computed one differs by no more than the tolerance. So a preview costs no mesh of a new surface.
+What is drawn are points of the base, moved along their normals: points of the exact offset, from which the computed one
+differs by no more than the tolerance. So a preview costs no mesh of a new surface.
 """
 
-from typing import Any, List, Optional, Tuple
+from typing import Any, List, Optional
 
 import FreeCAD as App
-import numpy
 
+from ..features.face_grid import FaceGrid
+from ..features.offset_limits import Mark
 from ..view_settings import OFFSET_LOOK
-from .refusal_mark import RED, marks
+from .refusal_mark import ORANGE, RED, marks
 
-#: Coarser than this a mesh is refined; finer ones are taken as FreeCAD's view has made them (share of the diagonal).
-_DEFLECTION = 0.01
+_LINE = (0.10, 0.22, 0.40)
 
 
 class Preview:
@@ -23,37 +23,24 @@ class Preview:
     def __init__(self, view: Any):
         self._scene = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
         self._node = None
-        self._faces: List[Any] = []
-        self._meshes: List[Tuple[Any, Any, Any]] = []
 
-    def prepare(self, faces: List[Any]) -> None:
-        """Reads the meshes of the base faces, unless they are the same as before."""
-        same = len(faces) == len(self._faces) and all(a.isEqual(b) for a, b in zip(faces, self._faces))
-        if self._scene is not None and not same:
-            self._faces = faces
-            self._meshes = [_mesh(face) for face in faces]
-
-    def show(self, distance: float) -> None:
-        """Draws the offset at a distance [mm]."""
+    def show(self, grids: List[FaceGrid], distance: float, limits: List[Mark]) -> None:
+        """Draws the offset of the faces behind the grids at a distance [mm], and where the limits are reached."""
         self.remove()
         if self._scene is None:
             return
         from pivy import coin
 
         self._node = coin.SoSeparator()
-        style, paint, hints = coin.SoPickStyle(), coin.SoMaterial(), coin.SoShapeHints()
+        style, hints = coin.SoPickStyle(), coin.SoShapeHints()
         style.style = coin.SoPickStyle.UNPICKABLE
-        paint.diffuseColor = OFFSET_LOOK.colour
-        paint.transparency = 0.45
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-        for part in (style, paint, hints):
-            self._node.addChild(part)
-        for points, normals, indices in self._meshes:
-            corners, faces = coin.SoCoordinate3(), coin.SoIndexedFaceSet()
-            corners.point.setValues(0, len(points), (points + distance * normals).tolist())
-            faces.coordIndex.setValues(0, len(indices), indices)
-            self._node.addChild(corners)
-            self._node.addChild(faces)
+        self._node.addChild(style)
+        self._node.addChild(hints)
+        for grid in grids:
+            self._node.addChild(_faces(grid, distance))
+            self._node.addChild(_edges(grid, distance))
+        self._node.addChild(marks([(limit.point, f"{limit.distance:.4g} mm") for limit in limits], ORANGE))
         self._scene.addChild(self._node)
 
     def mark(self, where: Optional[Any], word: str) -> None:
@@ -70,14 +57,32 @@ class Preview:
             self._node = None
 
 
-def _mesh(face: Any) -> Tuple[Any, Any, List[int]]:
-    """Corners (n, 3) [mm], their outward normals (n, 3), and Coin's indices of the triangles."""
-    corners, triangles = face.tessellate(_DEFLECTION * face.BoundBox.DiagonalLength)
-    points = numpy.array([tuple(corner) for corner in corners])
-    normals = numpy.array([tuple(_normal(face, corner)) for corner in corners])
-    indices = [index for triangle in triangles for index in (*triangle, -1)]
-    return points, normals, indices
+def _faces(grid: FaceGrid, distance: float) -> Any:
+    from pivy import coin
+
+    node, paint, corners, faces = coin.SoSeparator(), coin.SoMaterial(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
+    paint.diffuseColor = OFFSET_LOOK.colour
+    paint.transparency = 0.45
+    corners.point.setValues(0, len(grid.points), (grid.points + distance * grid.normals).tolist())
+    indices = [index for quad in grid.quads.tolist() for index in (*quad, -1)]
+    faces.coordIndex.setValues(0, len(indices), indices)
+    for part in (paint, corners, faces):
+        node.addChild(part)
+    return node
 
 
-def _normal(face: Any, point: Any) -> Any:
-    return face.normalAt(*face.Surface.parameter(point))
+def _edges(grid: FaceGrid, distance: float) -> Any:
+    from pivy import coin
+
+    node, light, paint = coin.SoSeparator(), coin.SoLightModel(), coin.SoBaseColor()
+    light.model = coin.SoLightModel.BASE_COLOR
+    paint.rgb = _LINE
+    node.addChild(light)
+    node.addChild(paint)
+    for points, normals in grid.edges:
+        corners, line = coin.SoCoordinate3(), coin.SoLineSet()
+        corners.point.setValues(0, len(points), (points + distance * normals).tolist())
+        line.numVertices = len(points)
+        node.addChild(corners)
+        node.addChild(line)
+    return node

@@ -19,7 +19,8 @@ def form(name: str) -> str:
 
 
 def register() -> None:
-    """Tells FreeCAD where icons and translations are."""
+    """Tells FreeCAD where icons, translations and the page of preferences are."""
     FreeCADGui.addIconPath(os.path.join(_ROOT, "icons"))
     FreeCADGui.addLanguagePath(os.path.join(_ROOT, "translations"))
     FreeCADGui.updateLocale()
+    FreeCADGui.addPreferencePage(form("PreferencesPage"), "Laminate Offset")

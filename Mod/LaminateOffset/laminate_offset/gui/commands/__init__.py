@@ -3,6 +3,8 @@
 
 from typing import List
 
+import FreeCAD as App
+
 from .core_sample import CoreSampleCommand
 from .deviation_map import DeviationMapCommand
 from .extend_face import ExtendFaceCommand
@@ -10,6 +12,11 @@ from .layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from .offset_face import OffsetFaceCommand
 from .offset_limits import OffsetLimitsCommand
 from .ply_stack import PlyStackCommand
+
+QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
+
+#: Of toolbar and menu; FreeCAD translates it itself.
+TITLE = QT_TRANSLATE_NOOP("Workbench", "Laminate Offset")
 
 #: Between groups stands None.
 _COMMANDS = (

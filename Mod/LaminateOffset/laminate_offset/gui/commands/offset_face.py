@@ -19,8 +19,7 @@ class OffsetFaceCommand(FaceCommand):
     NAME = "LaminateOffset_OffsetFace"
     MENU = QT_TRANSLATE_NOOP("LaminateOffset_OffsetFace", "Offset Face")
     TIP = QT_TRANSLATE_NOOP(
-        "LaminateOffset_OffsetFace",
-        "Offsets the selected faces by a constant distance along their normals, within a tolerance",
+        "LaminateOffset_OffsetFace", "Offsets the selected faces by a constant distance, within a tolerance"
     )
     ACCEL = "L, O"
 

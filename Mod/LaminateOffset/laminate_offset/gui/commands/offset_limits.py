@@ -19,8 +19,7 @@ class OffsetLimitsCommand(FaceCommand):
     NAME = "LaminateOffset_OffsetLimits"
     MENU = QT_TRANSLATE_NOOP("LaminateOffset_OffsetLimits", "Offset Limits")
     TIP = QT_TRANSLATE_NOOP(
-        "LaminateOffset_OffsetLimits",
-        "Shows how far the selected faces can be offset before an offset folds, and where it would fold first",
+        "LaminateOffset_OffsetLimits", "Shows how far faces can be offset, and where an offset would fold first"
     )
     ACCEL = "L, F"
 

@@ -7,8 +7,11 @@ import FreeCADGui
 from PySide import QtCore
 
 from ... import messages
+from ...errors import describe_range
 from ...features.base_face import BaseFaceError, linked_faces
+from ...features.face_grid import face_grid
 from ...features.offset_face import OffsetRequest, describe_results, prepare, set_base
+from ...features.offset_limits import limits_of
 from ...messages import feasible_range
 from ..direction_arrow import DirectionArrow
 from ..preview import Preview
@@ -126,8 +129,7 @@ class OffsetFacePanel(FacePanel):
         except BaseFaceError as error:
             self.tell(str(error), refused=True)
             return
-        self._preview.prepare([face for _, face in request.faces])
-        self._newest.start(lambda report: (request, request.compute(report)))
+        self._newest.start(lambda report: _compute(request, report))
         self._poll.start()
         self.form.progress.setVisible(True)
         self.tell(translate("OffsetFacePanel", "Computing the preview..."))
@@ -150,14 +152,21 @@ class OffsetFacePanel(FacePanel):
     def _previewed(self, job: Job) -> None:
         """The worker has an outcome of what is asked for."""
         try:
-            request, results = job.result()
+            request, results, grids, limits = job.result()
         except Exception as error:  # a refusal, or a defect that the user must see as well
             self.tell(messages.refusal(error, getattr(error, "face", "")), refused=True)
             self._show_range(feasible_range(getattr(error, "feasible_range", None)))
             self._preview.mark(getattr(error, "where", None), getattr(error, "status", ""))
             return
         prepare(self._feature, request, results)
-        elapsed = sum(result.report.elapsed_ms for result in results)
+        elapsed = sum(result.report.elapsed_ms.total for result in results)
         self.tell(f"{describe_results(results)}; {elapsed:.0f} ms")
-        self._show_range("; ".join(feasible_range(result.report.to_dict().get("limits")) for result in results))
-        self._preview.show(self._feature.Distance.Value)
+        self._show_range(describe_range(tuple(None if limit is None else limit.distance for limit in limits)))
+        self._preview.show(grids, request.distance, [limit for limit in limits if limit is not None])
+
+
+def _compute(request: OffsetRequest, report: Any) -> Any:
+    """In the worker: the offsets, what is drawn of them, and the tightest limits of both sides."""
+    results = request.compute(report)
+    grids = [face_grid(face) for _, face in request.faces]
+    return request, results, grids, limits_of(request.faces, report)[1]

@@ -32,6 +32,7 @@ class PlyStackPanel(FacePanel):
     FORM = "PlyStackPanel"
     MANY = False
     LENGTHS = {"tolerance": "Tolerance"}
+    TICKS = {"solids": "Solids"}
     CHOICES = {"surface": "Surface", "output": "Output", "colours": "Colours"}
 
     def __init__(self, feature: Any):

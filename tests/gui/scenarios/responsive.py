@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The event loop goes on during live previews, on the largest faces of the data that can be offset."""
+
+import os
+import time
+
+import FreeCADGui as Gui
+import Part
+from PySide import QtCore, QtGui
+from session import (
+    OUT,
+    click,
+    look_at_all,
+    press,
+    pump,
+    result_text,
+    run_command,
+    screenshot,
+    select,
+    start,
+    type_into,
+    wait_until,
+)
+
+BUTTON = QtGui.QDialogButtonBox
+DATA = os.path.join(os.path.dirname(os.environ["LAMINATE_OFFSET_PROJECT_DIR"]), "shared", "data")
+
+#: File, first distance, another one that cancels it [mm]. bladex_lower has 6838 poles, the blade of iea15 3468.
+FACES = (("iea15_CFD.igs", "7 mm", "-5 mm"), ("bladex_lower.iges", "0.000001 mm", "-0.000002 mm"))
+LIMIT_S = 0.1
+WATCH_S = 25.0
+ATTEMPTS = 3
+
+
+def run() -> None:
+    """Called by scenario_runner.py."""
+    for name, first, second in FACES:
+        doc = start()
+        base = doc.addObject("Part::Feature", "Base")
+        base.Shape = Part.read(os.path.join(DATA, name)).Faces[0]
+        doc.recompute()
+        look_at_all()
+        preview(name, base, first, second)
+
+
+class Pulse:
+    """A timer of the event loop that measures how late it is called.
+
+    Each pause comes as (all of it, without the time in which the thread waited for a processor core that other programs
+    had): the second is what our own code is answerable for.
+    """
+
+    def __init__(self) -> None:
+        self.pauses = []
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(5)
+        self._timer.timeout.connect(self._beat)
+        self._last = now()
+        self._timer.start()
+
+    def stop(self) -> tuple:
+        """The longest pause in seconds, all of it and our own."""
+        self._timer.stop()
+        assert len(self.pauses) > 50
+        return max(whole for whole, _ in self.pauses), max(own for _, own in self.pauses)
+
+    def _beat(self) -> None:
+        last, self._last = self._last, now()
+        whole, waited = (new - old for new, old in zip(self._last, last))
+        self.pauses.append((whole, whole - waited))
+
+
+def now() -> tuple:
+    """The time, and how long this thread has waited for a processor core so far, in seconds."""
+    with open("/proc/thread-self/schedstat", encoding="ascii") as file:
+        return time.perf_counter(), int(file.read().split()[1]) * 1e-9
+
+
+def watched(done) -> None:
+    """Waits for the end of the preview, or long enough: a busy machine may need minutes for the largest face."""
+    began = time.perf_counter()
+    while not done() and time.perf_counter() - began < WATCH_S:
+        pump(20)
+
+
+def preview(name: str, base, first: str, second: str) -> None:
+    """Two distances, the first of which is cancelled by the second. On a busy machine it is tried again."""
+    select(base, "Face1")
+    run_command()
+    click("livePreview")
+    pauses = []
+    while len(pauses) < ATTEMPTS and min(pauses, default=1.0) >= LIMIT_S:
+        whole, own = longest_pause(first, second)
+        pauses.append(own)
+        with open(os.path.join(OUT, "figures.txt"), "a", encoding="utf-8") as file:
+            file.write(f"{name}: longest pause {1000 * whole:.0f} ms, own {1000 * own:.0f} ms; {result_text()}\n")
+    screenshot(name.split(".", maxsplit=1)[0])
+    assert min(pauses) < LIMIT_S, f"{name}: the event loop stood still for {pauses} s"
+    began = time.perf_counter()
+    press(BUTTON.Cancel)
+    assert time.perf_counter() - began < 5 and not Gui.Control.activeDialog()
+
+
+def longest_pause(first: str, second: str) -> tuple:
+    """The longest pause of the event loop in seconds, all of it and our own."""
+    pulse = Pulse()
+    type_into("distance", first)
+    wait_until(lambda: "Computing" in result_text(), "the preview to begin")
+    type_into("distance", second)
+    watched(lambda: "Computing" not in result_text())
+    return pulse.stop()
