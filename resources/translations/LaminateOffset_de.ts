@@ -5,708 +5,830 @@
     <name>CoreSamplePanel</name>
     <message>
         <source>Core Sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Kernprobe</translation>
     </message>
     <message>
         <source>Stack</source>
-        <translation type="unfinished"></translation>
+        <translation>Stapel</translation>
     </message>
     <message>
         <source>A ply stack of this document</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lagenstapel dieses Dokuments</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Where the sample is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Probe genommen wird</translation>
     </message>
     <message>
         <source>Pick a point in the 3-D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Punkt in der 3D-Ansicht wählen</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message>
         <source>Press, then click a point of the face or the stack</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, dann einen Punkt der Fläche oder des Stapels anklicken</translation>
     </message>
     <message>
         <source>Ply</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>There is no ply stack in this document; make one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Dokument gibt es keinen Lagenstapel; legen Sie zuerst einen an.</translation>
     </message>
     <message>
         <source>Click a point of the face or the stack in the 3-D view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie in der 3D-Ansicht einen Punkt der Fläche oder des Stapels an.</translation>
     </message>
     <message>
         <source>Click another point for another sample.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie für eine andere Probe einen anderen Punkt an.</translation>
     </message>
 </context>
 <context>
     <name>ExtendFacePanel</name>
     <message>
         <source>Extend Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche verlängern</translation>
     </message>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>The faces; select some and press Remove to take them out</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flächen; ausgewählte nimmt Entfernen heraus</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message>
         <source>Press, then click a face in the 3-D view; Ctrl+click adds further faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, dann eine Fläche in der 3D-Ansicht anklicken; Strg+Klick fügt weitere hinzu</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Take the selected faces out of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die ausgewählten Flächen aus der Liste</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Arc length of the extension; f(x) gives an expression</source>
-        <translation type="unfinished"></translation>
+        <translation>Bogenlänge der Verlängerung; f(x) gibt einen Ausdruck an</translation>
     </message>
     <message>
         <source>Sides</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>u min</source>
-        <translation type="unfinished"></translation>
+        <translation>u min</translation>
     </message>
     <message>
         <source>Extend the side where u is least</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite verlängern, an der u am kleinsten ist</translation>
     </message>
     <message>
         <source>u max</source>
-        <translation type="unfinished"></translation>
+        <translation>u max</translation>
     </message>
     <message>
         <source>Extend the side where u is largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite verlängern, an der u am größten ist</translation>
     </message>
     <message>
         <source>v min</source>
-        <translation type="unfinished"></translation>
+        <translation>v min</translation>
     </message>
     <message>
         <source>Extend the side where v is least</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite verlängern, an der v am kleinsten ist</translation>
     </message>
     <message>
         <source>v max</source>
-        <translation type="unfinished"></translation>
+        <translation>v max</translation>
     </message>
     <message>
         <source>Extend the side where v is largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite verlängern, an der v am größten ist</translation>
     </message>
     <message>
         <source>Continuity</source>
-        <translation type="unfinished"></translation>
+        <translation>Stetigkeit</translation>
     </message>
     <message>
         <source>G1: the mirror image of the part next to the side; natural: the surface&apos;s last piece goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>G1: das Spiegelbild des Teils an der Seite; natural: das letzte Stück der Fläche geht weiter</translation>
     </message>
     <message>
         <source>Rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Regel</translation>
     </message>
     <message>
         <source>mean: iso-curves have the length on the average; at-least: each of them has it</source>
-        <translation type="unfinished"></translation>
+        <translation>mean: Isokurven haben die Länge im Mittel; at-least: jede hat sie mindestens</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Compute once and leave the panel open</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmal rechnen und das Fenster offen lassen</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset</name>
     <message>
-        <source>Computing {title}...</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press Preview to see the result, or OK to make it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pick a face first: press Pick and click a face in the 3-D view.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Click a face in the 3-D view.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit {name}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import a layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau importieren</translation>
     </message>
     <message>
         <source>Layups (*.csv *.json *.yaml *.yml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbauten (*.csv *.json *.yaml *.yml)</translation>
     </message>
     <message>
         <source>Export the layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau exportieren</translation>
     </message>
     <message>
         <source>Whole job, YAML (*.yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzer Auftrag, YAML (*.yaml)</translation>
     </message>
     <message>
         <source>Whole job, JSON (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzer Auftrag, JSON (*.json)</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>Layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau</translation>
+    </message>
+    <message>
+        <source>Press Preview to see the result, or OK to make it.</source>
+        <translation>Vorschau zeigt das Ergebnis, OK übernimmt es.</translation>
+    </message>
+    <message>
+        <source>Pick a face first: press Pick and click a face in the 3-D view.</source>
+        <translation>Wählen Sie zuerst eine Fläche: Wählen drücken und eine Fläche in der 3D-Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>Click a face in the 3-D view.</source>
+        <translation>Klicken Sie eine Fläche in der 3D-Ansicht an.</translation>
+    </message>
+    <message>
+        <source>Edit {name}</source>
+        <translation>{name} bearbeiten</translation>
+    </message>
+    <message>
+        <source>Computing {title}...</source>
+        <translation>{title} wird berechnet...</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_CoreSample</name>
     <message>
         <source>Core Sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Kernprobe</translation>
     </message>
     <message>
         <source>Shows which plies of a stack are met at a point, and from where to where</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt, welche Lagen eines Stapels an einem Punkt liegen, und von wo bis wo</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_DeviationMap</name>
     <message>
         <source>Deviation Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungskarte</translation>
     </message>
     <message>
         <source>Shows in colours how far the selected offset is from the exact one</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt in Farben, wie weit der gewählte Versatz vom genauen entfernt ist</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_ExportLayup</name>
     <message>
         <source>Export Layup...</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau exportieren...</translation>
     </message>
     <message>
         <source>Writes the selected layup as a table (.csv) or as a whole job (.json, .yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt den gewählten Lagenaufbau als Tabelle (.csv) oder als ganzen Auftrag (.json, .yaml)</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_ExtendFace</name>
     <message>
         <source>Extend Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche verlängern</translation>
     </message>
     <message>
         <source>Makes the selected faces longer past their sides by a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlängert die gewählten Flächen über ihre Seiten hinaus</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_ImportLayup</name>
     <message>
         <source>Import Layup...</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau importieren...</translation>
     </message>
     <message>
         <source>Reads a layup table (.csv) or a whole job (.json, .yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest eine Lagentabelle (.csv) oder einen ganzen Auftrag (.json, .yaml)</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_Layup</name>
     <message>
         <source>Layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau</translation>
     </message>
     <message>
         <source>Makes a layup: a table of plies with materials, angles, thicknesses</source>
-        <translation type="unfinished"></translation>
+        <translation>Legt einen Lagenaufbau an: eine Tabelle der Lagen mit Materialien, Winkeln, Dicken</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_OffsetFace</name>
     <message>
         <source>Offset Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche versetzen</translation>
+    </message>
+    <message>
+        <source>Offsets the selected faces by a constant distance, within a tolerance</source>
+        <translation>Versetzt die gewählten Flächen um einen festen Abstand, innerhalb einer Toleranz</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_OffsetLimits</name>
     <message>
         <source>Offset Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatzgrenzen</translation>
+    </message>
+    <message>
+        <source>Shows how far faces can be offset, and where an offset would fold first</source>
+        <translation>Zeigt, wie weit Flächen versetzt werden können und wo ein Versatz zuerst falten würde</translation>
     </message>
 </context>
 <context>
     <name>LaminateOffset_PlyStack</name>
     <message>
         <source>Ply Stack</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenstapel</translation>
     </message>
     <message>
         <source>Lays the plies of a layup on the selected face</source>
-        <translation type="unfinished"></translation>
+        <translation>Legt die Lagen eines Lagenaufbaus auf die gewählte Fläche</translation>
     </message>
 </context>
 <context>
     <name>LayupPanel</name>
     <message>
         <source>Layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau</translation>
     </message>
     <message>
         <source>From the tool outwards. Double-click or press F2 to edit; drag rows to reorder</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Werkzeug nach außen. Doppelklick oder F2 bearbeitet; Zeilen lassen sich ziehen</translation>
     </message>
     <message>
         <source>Ply</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Material</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Count</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Grenze</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>An</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Add a ply after the selected one</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt nach der gewählten eine Lage ein</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppeln</translation>
     </message>
     <message>
         <source>Copy the selected plies below them</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert die gewählten Lagen darunter</translation>
     </message>
     <message>
         <source>Mirror</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiegeln</translation>
     </message>
     <message>
         <source>Add the mirror image of the selected plies, or of all</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt das Spiegelbild der gewählten oder aller Lagen an</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete the selected plies</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht die gewählten Lagen</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>Move the selected plies towards the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt die gewählten Lagen zum Werkzeug hin</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab</translation>
     </message>
     <message>
         <source>Move the selected plies away from the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegt die gewählten Lagen vom Werkzeug weg</translation>
     </message>
     <message>
         <source>Give the selected plies this angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt den gewählten Lagen diesen Winkel</translation>
     </message>
     <message>
         <source>Repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>How often the rows are laid, before they are mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie oft die Zeilen gelegt werden, bevor sie gespiegelt werden</translation>
     </message>
     <message>
         <source>Symmetric</source>
-        <translation type="unfinished"></translation>
+        <translation>Symmetrisch</translation>
     </message>
     <message>
         <source>The mirror image follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Spiegelbild folgt</translation>
     </message>
     <message>
         <source>Shared middle ply</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeinsame Mittellage</translation>
     </message>
     <message>
         <source>The last row is the middle of the stack</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Zeile ist die Mitte des Stapels</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Along the face&apos;s outward normal or against it</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der äußeren Normalen der Fläche oder dagegen</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezug</translation>
     </message>
     <message>
         <source>The surface of the stack that lies on the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fläche des Stapels, die auf der Fläche liegt</translation>
     </message>
     <message>
         <source>Import...</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren...</translation>
     </message>
     <message>
         <source>Read a table (.csv) or a whole job (.json, .yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest eine Tabelle (.csv) oder einen ganzen Auftrag (.json, .yaml)</translation>
     </message>
     <message>
         <source>Export...</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren...</translation>
     </message>
     <message>
         <source>Write a table (.csv) or a whole job (.json, .yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt eine Tabelle (.csv) oder einen ganzen Auftrag (.json, .yaml)</translation>
     </message>
     <message>
         <source>Angle...</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel...</translation>
     </message>
     <message>
         <source>{count} plies, {thickness} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Lagen, {thickness} mm</translation>
     </message>
     <message>
         <source>No ply is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Lage ist aktiv.</translation>
     </message>
 </context>
 <context>
     <name>OffsetFacePanel</name>
     <message>
         <source>Offset Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche versetzen</translation>
     </message>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>The faces; select some and press Remove to take them out</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flächen; ausgewählte nimmt Entfernen heraus</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message>
         <source>Press, then click a face in the 3-D view; Ctrl+click adds further faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, dann eine Fläche in der 3D-Ansicht anklicken; Strg+Klick fügt weitere hinzu</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Take the selected faces out of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die ausgewählten Flächen aus der Liste</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Signed distance along the face&apos;s outward normal; f(x) gives an expression</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand mit Vorzeichen entlang der äußeren Normalen; f(x) gibt einen Ausdruck an</translation>
     </message>
     <message>
         <source>Flip</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>Offset to the other side</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf die andere Seite versetzen</translation>
     </message>
     <message>
         <source>Feasible</source>
-        <translation type="unfinished"></translation>
+        <translation>Möglich</translation>
     </message>
     <message>
         <source>Distances by which the faces can be offset before an offset folds; the places are marked on the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände, um die sich die Flächen versetzen lassen, bevor ein Versatz faltet; die Stellen sind am Modell markiert</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Largest deviation from the exact offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Abweichung vom genauen Versatz</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>How the offset surface is found</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die versetzte Fläche gefunden wird</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>Highest degree of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchster Grad der Fläche</translation>
     </message>
     <message>
         <source>Live preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Vorschau</translation>
     </message>
     <message>
         <source>Compute after every change, while you go on working</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach jeder Änderung rechnen, während Sie weiterarbeiten</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Compute once and leave the panel open</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmal rechnen und das Fenster offen lassen</translation>
     </message>
     <message>
         <source>known after the first result</source>
-        <translation type="unfinished"></translation>
+        <translation>nach dem ersten Ergebnis bekannt</translation>
     </message>
     <message>
         <source>Computing the preview...</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Vorschau wird berechnet...</translation>
     </message>
 </context>
 <context>
     <name>OffsetLimitsPanel</name>
     <message>
         <source>Offset Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatzgrenzen</translation>
     </message>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>The faces; select some and press Remove to take them out</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flächen; ausgewählte nimmt Entfernen heraus</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message>
         <source>Press, then click a face in the 3-D view; Ctrl+click adds further faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, dann eine Fläche in der 3D-Ansicht anklicken; Strg+Klick fügt weitere hinzu</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Take the selected faces out of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die ausgewählten Flächen aus der Liste</translation>
     </message>
     <message>
         <source>Inwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach innen</translation>
     </message>
     <message>
         <source>Most negative feasible distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinster möglicher Abstand</translation>
     </message>
     <message>
         <source>Outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach außen</translation>
     </message>
     <message>
         <source>Largest feasible distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter möglicher Abstand</translation>
     </message>
     <message>
         <source>Find limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen suchen</translation>
     </message>
     <message>
         <source>Search the faces that are listed</source>
-        <translation type="unfinished"></translation>
+        <translation>Untersucht die Flächen der Liste</translation>
     </message>
     <message>
         <source>any distance</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Abstand</translation>
     </message>
 </context>
 <context>
     <name>PlyStackPanel</name>
     <message>
         <source>Ply Stack</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenstapel</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>The face</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fläche</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message>
         <source>Press, then click a face in the 3-D view</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, dann eine Fläche in der 3D-Ansicht anklicken</translation>
     </message>
     <message>
         <source>Layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagenaufbau</translation>
     </message>
     <message>
         <source>A layup of this document</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lagenaufbau dieses Dokuments</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Make a new layup</source>
-        <translation type="unfinished"></translation>
+        <translation>Legt einen neuen Lagenaufbau an</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Largest deviation from the exact offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Abweichung vom genauen Versatz</translation>
+    </message>
+    <message>
+        <source>Drop-off</source>
+        <translation>Abstufung</translation>
+    </message>
+    <message>
+        <source>Length of a ramp over its height where plies end</source>
+        <translation>Länge einer Rampe zu ihrer Höhe, wo Lagen enden</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Which surface of every ply is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Seite jeder Lage erzeugt wird</translation>
+    </message>
+    <message>
+        <source>Plies</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Solid plies instead of surfaces</source>
+        <translation>Körper statt Flächen</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>One compound of all plies, or an object for every ply</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Verbund aller Lagen oder ein Objekt je Lage</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>What the plies&apos; colours stand for</source>
-        <translation type="unfinished"></translation>
+        <translation>Wofür die Farben der Lagen stehen</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Compute once and leave the panel open</source>
-        <translation type="unfinished"></translation>
+        <translation>Einmal rechnen und das Fenster offen lassen</translation>
     </message>
     <message>
         <source>Choose a layup first, or press New to make one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst einen Lagenaufbau, oder legen Sie mit Neu einen an.</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesPage</name>
+    <message>
+        <source>Laminate Offset</source>
+        <translation>Laminate Offset</translation>
+    </message>
+    <message>
+        <source>New objects</source>
+        <translation>Neue Objekte</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Largest deviation of new offsets and stacks</source>
+        <translation>Größte Abweichung neuer Versätze und Stapel</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the surfaces of new offsets are found</source>
+        <translation>Wie die Flächen neuer Versätze gefunden werden</translation>
+    </message>
+    <message>
+        <source>Highest degree</source>
+        <translation>Höchster Grad</translation>
+    </message>
+    <message>
+        <source>Highest degree of new surfaces</source>
+        <translation>Höchster Grad neuer Flächen</translation>
+    </message>
+    <message>
+        <source>Drop-off ratio</source>
+        <translation>Abstufung</translation>
+    </message>
+    <message>
+        <source>Length of a ramp over its height where plies end</source>
+        <translation>Länge einer Rampe zu ihrer Höhe, wo Lagen enden</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Processor cores</source>
+        <translation>Prozessorkerne</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Most processor cores that a computation uses</source>
+        <translation>Höchste Zahl der Prozessorkerne, die eine Rechnung nutzt</translation>
+    </message>
+    <message>
+        <source>Colours of plies</source>
+        <translation>Farben der Lagen</translation>
+    </message>
+    <message>
+        <source>0 degrees</source>
+        <translation>0 Grad</translation>
+    </message>
+    <message>
+        <source>Colour of plies with fibres at this angle; in between, colours change evenly</source>
+        <translation>Farbe der Lagen mit Fasern in diesem Winkel; dazwischen gehen die Farben ineinander über</translation>
+    </message>
+    <message>
+        <source>45 degrees</source>
+        <translation>45 Grad</translation>
+    </message>
+    <message>
+        <source>90 degrees</source>
+        <translation>90 Grad</translation>
+    </message>
+    <message>
+        <source>-45 degrees</source>
+        <translation>-45 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Laminate Offset</source>
+        <translation>Laminate Offset</translation>
     </message>
 </context>
 </TS>

@@ -28,3 +28,7 @@ def test_escape_ends_a_stack_of_200_plies():
     if not DATA.is_dir():
         pytest.skip("../shared/data is not there")
     run_scenario("cancel_stack", refusals=["cancelled"])
+
+
+def test_preferences_and_languages():
+    run_scenario("preferences")

@@ -15,7 +15,7 @@ from laminate_offset.features.layup import import_layup, layup_of, make_layup, s
 from laminate_offset.features.offset_face import make_offset_face
 from laminate_offset.features.offset_limits import make_offset_limits
 from laminate_offset.features.ply_stack import COLOURS, OUTPUTS, make_ply_stack, plies_of
-from laminate_offset.layup import layup_from_notation, read_layup
+from laminate_offset.layup import Layup, Ply, layup_from_notation, read_layup
 from shapes import wavy_face
 
 ADDON = pathlib.Path(os.environ["LAMINATE_OFFSET_BUILD_DIR"]) / "Mod" / "LaminateOffset"
@@ -173,6 +173,27 @@ def test_solid_plies(doc, wavy, layup):
         (solid,) = ply.Shape.Solids
         assert solid.isValid() and solid.isClosed()
         assert solid.Volume == pytest.approx(ply.Thickness.Value * wavy.Shape.Area, rel=0.05)
+
+
+def test_boundaries_are_found_by_their_labels(doc, layup):
+    plane = doc.addObject("Part::Plane", "Plane")
+    circle = doc.addObject("Part::Circle", "Circle")
+    circle.Label, circle.Radius = "Patch", 20
+    circle.Placement.Base = App.Vector(50, 50, 0)
+    doc.recompute()
+    set_layup(layup, Layup((Ply("P1", "A", 0.2), Ply("P2", "A", 0.2, boundary="Patch"))))
+    doc.recompute()
+    stack = make_ply_stack(plane, "Face1", layup)
+    assert stack.Status == "ok" and stack.Boundaries == [circle], stack.Message
+    inside, outside = make_core_sample(stack, (50, 50, 0)), make_core_sample(stack, (5, 5, 0))
+    assert (inside.PlyCount, outside.PlyCount) == (2, 1)
+    assert (inside.Thickness.Value, outside.Thickness.Value) == (pytest.approx(0.4), pytest.approx(0.2))
+    circle.Radius = 5
+    doc.recompute()
+    assert make_core_sample(stack, (50, 62, 0)).PlyCount == 1
+    stack.Boundaries = []
+    doc.recompute()
+    assert is_invalid(stack) and stack.OutOfDate and "'Patch'" in stack.Message
 
 
 def test_ply_of_a_deleted_stack_says_so(doc, wavy, layup):

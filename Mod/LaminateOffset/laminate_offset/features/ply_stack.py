@@ -29,6 +29,10 @@ class PlyStackFeature(Feature):
     PROPERTIES = (
         Property("App::PropertyLinkSub", "Base", "Stack", "The face that the plies are laid on"),
         Property("App::PropertyLink", "Layup", "Stack", "The layup"),
+        Property(
+            "App::PropertyLinkList", "Boundaries", "Stack", "Curves that bound plies; the layup calls them by label"
+        ),
+        Property("App::PropertyFloat", "DropOff", "Stack", "Length of a ramp over its height, where plies end", 20.0),
         Property("App::PropertyLength", "Tolerance", "Stack", "Largest deviation of every surface", 1e-3),
         Property("App::PropertyEnumeration", "Surface", "Stack", "Which surface of a ply is made", list(SURFACES)),
         Property(
@@ -117,6 +121,7 @@ def make_ply_stack(
     feature = add_ply_stack(base_obj.Document, name)
     set_base(feature, base_obj, sub)
     feature.Layup = layup
+    link_boundaries(feature)
     feature.Tolerance = tolerance
     feature.Output = output
     feature.Document.recompute()
@@ -136,6 +141,25 @@ def set_base(feature: Any, base: Any, sub: str) -> None:
     """Links the face, rooted at the outermost container."""
     root, path = rooted(base, sub)
     feature.Base = (root, [path])
+
+
+def link_boundaries(feature: Any) -> None:
+    """Links the objects of the document whose labels the layup's plies name as their boundaries."""
+    if feature.Layup is None or feature.Layup.Status != "ok":
+        return
+    names = dict.fromkeys(ply.boundary for ply in layup_of(feature.Layup).plies if ply.boundary)
+    found = [obj for name in names for obj in feature.Document.getObjectsByLabel(name)[:1] if hasattr(obj, "Shape")]
+    if feature.Boundaries != found:
+        feature.Boundaries = found
+
+
+def _global_shape(obj: Any) -> Any:
+    """The shape of an object in the document's global frame."""
+    shape = obj.Shape
+    placement = container_placement(obj)
+    if not placement.isIdentity():
+        shape.Placement = placement.multiply(shape.Placement)
+    return shape
 
 
 def plies_of(stack: Any) -> List[Any]:
@@ -176,7 +200,14 @@ def _stack(obj: Any) -> Any:
     if obj.Layup is None:
         raise BaseFaceError("null-shape", "No layup is chosen; edit the stack and choose one.")
     (name, face), layup = faces[0], layup_of(obj.Layup)
-    options = {"tolerance": obj.Tolerance.Value, "surface": obj.Surface, "max_degree": obj.MaxDegree}
+    options = {
+        "tolerance": obj.Tolerance.Value,
+        "surface": obj.Surface,
+        "max_degree": obj.MaxDegree,
+        "solids": obj.Solids,
+        "boundaries": {boundary.Label: _global_shape(boundary) for boundary in obj.Boundaries},
+        "drop_off": obj.DropOff,
+    }
     try:
         return progress.run(obj.Label, lambda report: lo.stack_plies(face, layup, progress=report, **options))
     except lo.OffsetError as error:

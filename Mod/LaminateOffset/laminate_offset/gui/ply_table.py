@@ -7,8 +7,8 @@ from typing import Any, Callable, Dict, Iterable, List, Sequence
 from PySide import QtCore, QtGui
 
 #: Columns of the table and of the document's entries.
-COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "active")
-NAME, MATERIAL, THICKNESS, ANGLE, COUNT, ACTIVE = range(6)
+COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "boundary", "active")
+NAME, MATERIAL, THICKNESS, ANGLE, COUNT, BOUNDARY, ACTIVE = range(7)
 
 ANGLES = (0, 45, -45, 90, 30, -30, 60, -60)
 
@@ -55,7 +55,7 @@ class PlyTable:
         self._tree.clear()
         self._tree.addTopLevelItems([_item(ply) for ply in plies])
         self._tree.blockSignals(False)
-        for column, width in zip(range(6), (56, 118, 48, 46, 42, 26)):
+        for column, width in zip(range(7), (50, 112, 46, 44, 42, 62, 26)):
             self._tree.setColumnWidth(column, width)
 
     def rows(self) -> List[Dict[str, Any]]:
@@ -219,6 +219,6 @@ def _text(value: Any) -> str:
 
 def _column(name: str) -> int:
     """The column of a problem, which names a document's key or a ply's field; the first when it has none here."""
-    fields = ("name", "material", "thickness", "angle", "count", "active")
+    fields = ("name", "material", "thickness", "angle", "count", "boundary", "active")
     names = COLUMNS if name in COLUMNS else fields
     return names.index(name) if name in names else NAME

@@ -40,6 +40,11 @@ def thread_count() -> int:
     return max(_group().GetInt("Threads", 0), 0)
 
 
+def drop_off_ratio() -> float:
+    """Length of a ramp over its height, for new stacks."""
+    return max(_group().GetFloat("DropOffRatio", 20.0), 0.0)
+
+
 def angle_colours() -> Dict[float, Colour]:
     """Colours of plies by the angle of their fibres in degrees."""
     group = _group()

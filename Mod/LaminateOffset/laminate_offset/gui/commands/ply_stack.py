@@ -6,7 +6,7 @@ from typing import Any, List, Optional
 import FreeCAD as App
 
 from ...features.layup import LayupFeature
-from ...features.ply_stack import add_ply_stack, set_base
+from ...features.ply_stack import add_ply_stack, link_boundaries, set_base
 from .. import preferences
 from ..selection import Link, selected_faces
 from .base import Command, all_of, selected_of
@@ -41,7 +41,9 @@ class PlyStackCommand(Command):
         feature = add_ply_stack(doc)
         feature.Tolerance = preferences.tolerance()
         feature.MaxDegree = preferences.max_degree()
+        feature.DropOff = preferences.drop_off_ratio()
         feature.Layup = layup
+        link_boundaries(feature)
         if links:
             set_base(feature, links[0][0], links[0][1][0])
         return feature

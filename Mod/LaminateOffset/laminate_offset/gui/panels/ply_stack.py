@@ -4,7 +4,7 @@
 from typing import Any, List
 
 from ...features.layup import LayupFeature, make_layup
-from ...features.ply_stack import set_base
+from ...features.ply_stack import link_boundaries, set_base
 from ..selection import Link
 from ..texts import translate
 from . import base
@@ -39,6 +39,8 @@ class PlyStackPanel(FacePanel):
         self._layups: List[Any] = []
         super().__init__(feature)
         self._show_layups()
+        self.form.dropOff.setValue(feature.DropOff)
+        self.form.dropOff.valueChanged.connect(lambda ratio: self.assign("DropOff", ratio))
         self.form.layup.currentIndexChanged.connect(self._layup_chosen)
         self.form.newLayup.clicked.connect(self._new_layup)
 
@@ -46,6 +48,11 @@ class PlyStackPanel(FacePanel):
         """Links the last of these faces."""
         base_object, subs = links[-1]
         set_base(self._feature, base_object, list(subs)[-1])
+
+    def compute(self, *checked: Any) -> bool:
+        """Recomputes the stack, with the boundaries that the layup names now."""
+        link_boundaries(self._feature)
+        return super().compute(*checked)
 
     def missing(self) -> str:
         """A face or a layup, when there is none."""
