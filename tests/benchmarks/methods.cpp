@@ -6,10 +6,13 @@
 
 #include "support/data_files.h"
 
+#include <laminate_offset/offset_limits.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <ostream>
@@ -44,12 +47,19 @@ constexpr const char *models[] = {"derived_D150_fuselage_2p3m_1hole_6curves.step
                                   "tigl_D150_fuselage_nose_shell.brep",
                                   "tigl_nacelle.stp"};
 
-//! [mm]; nothing where even the shortest distance folds the face.
+//! [mm], inside the proven limits; nothing where even the shortest distance folds the face.
 std::optional<double> distance_of(const BaseFace &base)
 {
+    const auto limits = laminate_offset::offset_limits(base.face);
+    if (!limits)
+        return std::nullopt;
+    const auto &[negative, positive, proven] = limits.value();
     for (const double share : shares)
-        if (base.feasible(share * base.diagonal))
+    {
+        const auto &limit = share < 0.0 ? negative : positive;
+        if (!limit || std::abs(share) * base.diagonal < std::abs(limit->distance))
             return share * base.diagonal;
+    }
     return std::nullopt;
 }
 
@@ -64,7 +74,7 @@ std::vector<BaseFace> first_free_form(const std::string &file)
     {
         BaseFace base = describe(fmt::format("{}#{}", file, ++number), face);
         const double curvature = std::max(base.highest_curvature, -base.lowest_curvature);
-        if (base.free_form && curvature * base.diagonal > flat && distance_of(base))
+        if (base.free_form && base.poles > 0 && curvature * base.diagonal > flat && distance_of(base))
             return {base};
     }
     return {};
@@ -125,7 +135,7 @@ void run_methods(const std::filesystem::path &path, std::ostream &out)
     for (const BaseFace &base : all_faces())
         for (const double tolerance : tolerances)
         {
-            Task task{distance_of(base).value_or(0.0), tolerance, 3, 60};
+            Task task{distance_of(base).value_or(0.0), tolerance, 5, 60};
             std::array<Outcome, 2> outcomes;
             for (std::size_t k = 0; k < methods.size(); ++k)
             {

@@ -10,7 +10,7 @@ from typing import Dict, List, Optional
 
 import numpy as np
 import pytest
-from example_tools import BUILD, EXAMPLES, run
+from example_tools import BUILD, EXAMPLES, ROOT, run
 
 ADD_ON = BUILD / "Mod" / "LaminateOffset"
 for folder in (str(EXAMPLES), str(ADD_ON)):
@@ -125,3 +125,31 @@ def test_the_measure_compares_files(tmp_path):
     assert done.returncode == 0, done.stdout
     figures = dict(re.findall(r"^(\w+) +(\S+)$", done.stdout, re.MULTILINE))
     assert float(figures["surface_to_base"]) < 1e-3 and float(figures["base_to_edges"]) < 2e-3
+
+
+def page() -> str:
+    return (ROOT / "docs" / "ravi_kumar.md").read_text(encoding="utf-8")
+
+
+def test_the_pages_example_runs(monkeypatch, capsys):
+    (example,) = re.findall(r"^```python\n(.*?)^```", page(), re.MULTILINE | re.DOTALL)
+    monkeypatch.chdir(ROOT)
+    exec(compile(example, "ravi_kumar.md", "exec"), {})
+    assert all(0.0 < float(error) <= TOLERANCE for error in capsys.readouterr().out.split())
+
+
+def test_every_equation_of_the_paper_is_cited_where_the_page_says():
+    cited = set()
+    for equations, files in re.findall(r"^\| (3\.[\d., ]+) \| (`.*`) \|$", page(), re.MULTILINE):
+        texts = [(ROOT / "src" / "core" / name).read_text(encoding="utf-8") for name in re.findall(r"`([^`]+)`", files)]
+        for equation in equations.split(", "):
+            citation = r"(?:[Ee]q\. (?:3\.\d+(?:, | to ))?|\()%s(?!\d)" % re.escape(equation)
+            assert any(re.search(citation, text) for text in texts), "equation %s is not cited" % equation
+            cited.add(equation)
+    assert cited == {"3.%d" % number for number in range(1, 15)}
+
+
+def test_the_pages_pictures_are_small_and_there():
+    names = re.findall(r"\((images/\S+\.png)\)", page())
+    assert len(names) >= 3
+    assert all(0 < (ROOT / "docs" / name).stat().st_size < 200_000 for name in names)
