@@ -170,6 +170,26 @@
 <context>
     <name>LaminateOffset</name>
     <message>
+        <source>Export the stack</source>
+        <translation>Stapel exportieren</translation>
+    </message>
+    <message>
+        <source>STEP, one part a ply (*.step)</source>
+        <translation>STEP, ein Teil je Lage (*.step)</translation>
+    </message>
+    <message>
+        <source>Table of the plies (*.csv)</source>
+        <translation>Tabelle der Lagen (*.csv)</translation>
+    </message>
+    <message>
+        <source>CalculiX shell section (*.inp)</source>
+        <translation>CalculiX-Schalenquerschnitt (*.inp)</translation>
+    </message>
+    <message>
+        <source>Ply book (*.html)</source>
+        <translation>Lagenbuch (*.html)</translation>
+    </message>
+    <message>
         <source>Import a layup</source>
         <translation>Lagenaufbau importieren</translation>
     </message>
@@ -249,6 +269,28 @@
     <message>
         <source>Writes the selected layup as a table (.csv) or as a whole job (.json, .yaml)</source>
         <translation>Schreibt den gewählten Lagenaufbau als Tabelle (.csv) oder als ganzen Auftrag (.json, .yaml)</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExportPlyBook</name>
+    <message>
+        <source>Export Ply Book...</source>
+        <translation>Lagenbuch exportieren...</translation>
+    </message>
+    <message>
+        <source>Writes the ply book of the selected stack: a page with a picture for every ply</source>
+        <translation>Schreibt das Lagenbuch des gewählten Stapels: eine Seite mit Bild für jede Lage</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExportStack</name>
+    <message>
+        <source>Export Stack...</source>
+        <translation>Stapel exportieren...</translation>
+    </message>
+    <message>
+        <source>Writes the selected stack: STEP with named plies, table, CalculiX section</source>
+        <translation>Schreibt den gewählten Lagenstapel: STEP mit benannten Lagen, Lagentabelle, CalculiX-Querschnitt</translation>
     </message>
 </context>
 <context>
@@ -354,6 +396,10 @@
     <message>
         <source>On</source>
         <translation>An</translation>
+    </message>
+    <message>
+        <source>Of the whole stack, as the table stands now</source>
+        <translation>Des ganzen Stapels, so wie die Tabelle jetzt ist</translation>
     </message>
     <message>
         <source>Add</source>

@@ -170,6 +170,26 @@
 <context>
     <name>LaminateOffset</name>
     <message>
+        <source>Export the stack</source>
+        <translation>Exporter l&apos;empilement</translation>
+    </message>
+    <message>
+        <source>STEP, one part a ply (*.step)</source>
+        <translation>STEP, une pièce par pli (*.step)</translation>
+    </message>
+    <message>
+        <source>Table of the plies (*.csv)</source>
+        <translation>Tableau des plis (*.csv)</translation>
+    </message>
+    <message>
+        <source>CalculiX shell section (*.inp)</source>
+        <translation>Section de coque CalculiX (*.inp)</translation>
+    </message>
+    <message>
+        <source>Ply book (*.html)</source>
+        <translation>Livre des plis (*.html)</translation>
+    </message>
+    <message>
         <source>Import a layup</source>
         <translation>Importer un drapage</translation>
     </message>
@@ -249,6 +269,28 @@
     <message>
         <source>Writes the selected layup as a table (.csv) or as a whole job (.json, .yaml)</source>
         <translation>Écrit le drapage sélectionné comme tableau (.csv) ou comme travail complet (.json, .yaml)</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExportPlyBook</name>
+    <message>
+        <source>Export Ply Book...</source>
+        <translation>Exporter le livre des plis...</translation>
+    </message>
+    <message>
+        <source>Writes the ply book of the selected stack: a page with a picture for every ply</source>
+        <translation>Écrit le livre des plis de l&apos;empilement sélectionné : une page avec image pour chaque pli</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExportStack</name>
+    <message>
+        <source>Export Stack...</source>
+        <translation>Exporter l&apos;empilement...</translation>
+    </message>
+    <message>
+        <source>Writes the selected stack: STEP with named plies, table, CalculiX section</source>
+        <translation>Écrit l&apos;empilement sélectionné : STEP avec plis nommés, tableau des plis, section CalculiX</translation>
     </message>
 </context>
 <context>
@@ -354,6 +396,10 @@
     <message>
         <source>On</source>
         <translation>Actif</translation>
+    </message>
+    <message>
+        <source>Of the whole stack, as the table stands now</source>
+        <translation>De tout l&apos;empilement, selon le tableau actuel</translation>
     </message>
     <message>
         <source>Add</source>

@@ -19,7 +19,7 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText><FCText Name="Language">English</FCText>
 <FCBool Name="ConfirmAll" Value="0"/></FCParamGroup>
-<FCParamGroup Name="MainWindow"><FCBool Name="StartupSplash" Value="0"/></FCParamGroup>
+<FCParamGroup Name="MainWindow"><FCBool Name="StartupSplash" Value="0"/><!--theme--></FCParamGroup>
 <FCParamGroup Name="Document"><FCBool Name="CreateNewDoc" Value="0"/><FCBool Name="AutoSaveEnabled" Value="0"/>
 </FCParamGroup>
 <FCParamGroup Name="View"><FCBool Name="ShowNaviCube" Value="0"/></FCParamGroup>
@@ -28,17 +28,19 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 
-def run_scenario(name: str, install: str = "option", refusals: Sequence[str] = ()) -> None:
+def run_scenario(name: str, install: str = "option", refusals: Sequence[str] = (), theme: str = "") -> None:
     """Runs scenarios/<name>.py and asserts that it passed and that FreeCAD reported no error.
 
     install: "option" loads the add-on with -M, "user" from the user's Mod folder.
+    theme: one of FreeCAD's style sheets, e.g. "Behave-dark.qss"; its light one when omitted.
     refusals: parts of the errors that the scenario provokes; each must be reported, and nothing else.
     """
-    out = OUT / f"{name}_{install}"
+    out = OUT / f"{name}_{theme.split('.')[0] or install}"
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     settings, log = out / "user.cfg", out / "freecad.log"
-    settings.write_text(_SETTINGS, encoding="utf-8")
+    sheet = f'<FCText Name="StyleSheet">{theme}</FCText>' if theme else ""
+    settings.write_text(_SETTINGS.replace("<!--theme-->", sheet), encoding="utf-8")
     done = subprocess.run(
         ["freecad", "-u", str(settings), "-s", str(out / "system.cfg"), "--log-file", str(log)]
         + _install(install, out)

@@ -171,3 +171,32 @@ def words_in(obj: Any) -> List[str]:
     search.apply(obj.ViewObject.RootNode)
     paths = search.getPaths()
     return [paths[index].getTail().string[0].getString() for index in range(paths.getLength())]
+
+
+def cell(row: int, column: int, text: str) -> None:
+    """Types into a cell of the layup's table, as a user does: double click, keys, Enter."""
+    tree = widget("rows", QtGui.QTreeWidget)
+    item = tree.topLevelItem(row)
+    tree.scrollToItem(item)
+    place = tree.visualItemRect(item).center()
+    place.setX(tree.header().sectionViewportPosition(column) + 12)
+    QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
+    QTest.mouseDClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
+    pump(100)
+    editor = QtGui.QApplication.focusWidget()
+    line = editor if isinstance(editor, QtGui.QLineEdit) else editor.lineEdit()
+    line.selectAll()
+    if text:
+        QTest.keyClicks(line, text)
+    else:
+        QTest.keyClick(line, QtCore.Qt.Key_Delete)
+    QTest.keyClick(line, QtCore.Qt.Key_Return)
+    pump(100)
+    assert item.text(column) == text, f"row {row}, column {column}: {item.text(column)!r} instead of {text!r}"
+
+
+def inside_point(face: Any) -> Any:
+    """A point [mm] of the face, not in a hole and away from the edges."""
+    u0, u1, v0, v1 = face.ParameterRange
+    places = [(u0 + (u1 - u0) * i / 20, v0 + (v1 - v0) * j / 20) for i in range(6, 15) for j in range(6, 15)]
+    return face.valueAt(*next(place for place in places if face.isPartOfDomain(*place)))

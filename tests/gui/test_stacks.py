@@ -32,3 +32,8 @@ def test_escape_ends_a_stack_of_200_plies():
 
 def test_preferences_and_languages():
     run_scenario("preferences")
+
+
+@pytest.mark.parametrize("theme", ["", "Behave-dark.qss"])
+def test_tutorial(theme):
+    run_scenario("tutorial", theme=theme)

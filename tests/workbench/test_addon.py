@@ -81,6 +81,7 @@ import sys
 import FreeCAD as App
 from laminate_offset.gui.commands.core_sample import CoreSampleCommand
 from laminate_offset.gui.commands.deviation_map import DeviationMapCommand
+from laminate_offset.gui.commands.export_stack import ExportStackCommand
 from laminate_offset.gui.commands.extend_face import ExtendFaceCommand
 from laminate_offset.gui.commands.layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from laminate_offset.gui.commands.offset_face import OffsetFaceCommand
@@ -110,6 +111,7 @@ assert extended.Status == "ok" and abs(extended.Shape.Area - 120**2) < 1e-6, ext
 assert layup.PlyCount == 1 and read.PlyCount == stack.PlyCount == sample.PlyCount == 6, sample.Message
 map_ = DeviationMapCommand.create(offset)
 assert map_.Status == "ok" and max(map(abs, map_.Deviations)) < 1e-6, map_.Message
+ExportStackCommand.create(stack, sys.argv[3])
 assert "FreeCADGui" not in sys.modules and "PySide" not in sys.modules
 print("DONE")
 """
@@ -117,7 +119,15 @@ print("DONE")
 
 def test_commands_create_without_the_gui(tmp_path):
     source = ADDON / "resources" / "examples" / "layup_plain.csv"
-    command = [sys.executable, "-c", _CREATE_WITHOUT_GUI, str(source), str(tmp_path / "copy.csv")]
+    command = [
+        sys.executable,
+        "-c",
+        _CREATE_WITHOUT_GUI,
+        str(source),
+        str(tmp_path / "copy.csv"),
+        str(tmp_path / "plies.csv"),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0 and "DONE" in done.stdout, done.stderr
+    assert len((tmp_path / "plies.csv").read_text(encoding="utf-8").splitlines()) >= 7
     assert laminate_offset.read_layup(str(tmp_path / "copy.csv")) == laminate_offset.read_layup(str(source))

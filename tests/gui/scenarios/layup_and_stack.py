@@ -6,16 +6,17 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from PySide2.QtTest import QTest
 from session import (
     OUT,
+    cell,
     click,
     click_in_view,
     edit,
+    inside_point,
     look_at_all,
     press,
-    pump,
     result_is_red,
     result_text,
     run_command,
@@ -48,28 +49,6 @@ def run() -> None:
     children(doc, stack)
     sample(doc, stack)
     undo_redo_and_reopen(doc)
-
-
-def cell(row: int, column: int, text: str) -> None:
-    """Types into a cell, as a user does: double click, keys, Enter."""
-    tree = widget("rows", QtGui.QTreeWidget)
-    item = tree.topLevelItem(row)
-    tree.scrollToItem(item)
-    place = tree.visualItemRect(item).center()
-    place.setX(tree.header().sectionViewportPosition(column) + 12)
-    QTest.mouseClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
-    QTest.mouseDClick(tree.viewport(), QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, place)
-    pump(100)
-    editor = QtGui.QApplication.focusWidget()
-    line = editor if isinstance(editor, QtGui.QLineEdit) else editor.lineEdit()
-    line.selectAll()
-    if text:
-        QTest.keyClicks(line, text)
-    else:
-        QTest.keyClick(line, QtCore.Qt.Key_Delete)
-    QTest.keyClick(line, QtCore.Qt.Key_Return)
-    pump(100)
-    assert item.text(column) == text, f"row {row}, column {column}: {item.text(column)!r} instead of {text!r}"
 
 
 def type_layup(doc):
@@ -132,20 +111,13 @@ def make_stack(doc, base, layup):
     """The face is picked with the mouse, the layup is there already."""
     Gui.Selection.clearSelection()
     run_command("LaminateOffset_PlyStack")
-    click_in_view(point=base.Shape.valueAt(*middle(base.Shape.Face1)))
+    click_in_view(point=inside_point(base.Shape.Face1))
     press(BUTTON.Ok)
     (stack,) = [obj for obj in doc.Objects if obj.Name.startswith("PlyStack")]
     assert stack.Status == "ok" and stack.PlyCount == 6 and stack.Layup == layup, stack.Message
     assert len(stack.Shape.Faces) == 6 and len(set(stack.ViewObject.DiffuseColor)) == 3
     assert all("Touched" not in obj.State for obj in doc.Objects)
     return stack
-
-
-def middle(face):
-    """Parameters of a point inside the loops."""
-    u0, u1, v0, v1 = face.ParameterRange
-    places = [(u0 + (u1 - u0) * i / 20, v0 + (v1 - v0) * j / 20) for i in range(6, 15) for j in range(6, 15)]
-    return next(place for place in places if face.isPartOfDomain(*place))
 
 
 def children(doc, stack) -> None:
@@ -170,7 +142,7 @@ def sample(doc, stack) -> None:
     select(stack, "")
     run_command("LaminateOffset_CoreSample")
     top = stack.ViewObject.Proxy.claimChildren()[-1]
-    click_in_view(point=top.Shape.valueAt(*middle(top.Shape.Face1)))
+    click_in_view(point=inside_point(top.Shape.Face1))
     tree = widget("plies", QtGui.QTreeWidget)
     assert tree.topLevelItemCount() == 6 and tree.topLevelItem(5).text(0) == "P1", result_text()
     assert tree.topLevelItem(0).text(4) == "0.91", tree.topLevelItem(0).text(4)

@@ -25,7 +25,10 @@ from session import (
 )
 
 BUTTON = QtGui.QDialogButtonBox
-NAMES = "OffsetFace ExtendFace OffsetLimits DeviationMap Layup ImportLayup ExportLayup PlyStack CoreSample".split()
+NAMES = (
+    "OffsetFace ExtendFace OffsetLimits DeviationMap Layup ImportLayup ExportLayup PlyStack CoreSample ExportStack "
+    "ExportPlyBook"
+).split()
 ON_FACES = {"OffsetFace", "ExtendFace", "OffsetLimits", "PlyStack"}
 ALWAYS = {"Layup", "ImportLayup"}
 

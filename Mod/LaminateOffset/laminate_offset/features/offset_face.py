@@ -186,8 +186,8 @@ def _take_prepared(feature: Any, request: OffsetRequest) -> Optional[List[Any]]:
 
 
 def describe_results(results: Iterable[Any]) -> str:
-    """One line for the user on the offsets of all faces."""
-    return "; ".join(messages.summary(result.report.to_dict()) for result in results)
+    """One line for the user on the offsets of all faces, without their limits."""
+    return "; ".join(messages.summary({**result.report.to_dict(), "limits": None}) for result in results)
 
 
 def _feasible_range(feature: Any) -> Any:

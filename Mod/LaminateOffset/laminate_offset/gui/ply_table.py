@@ -10,6 +10,8 @@ from PySide import QtCore, QtGui
 COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "boundary", "active")
 NAME, MATERIAL, THICKNESS, ANGLE, COUNT, BOUNDARY, ACTIVE = range(7)
 
+_WIDTHS = (50, 112, 46, 46, 44, 64, 26)
+
 ANGLES = (0, 45, -45, 90, 30, -30, 60, -60)
 
 _WRONG = QtGui.QBrush(QtGui.QColor(224, 27, 36))
@@ -55,8 +57,9 @@ class PlyTable:
         self._tree.clear()
         self._tree.addTopLevelItems([_item(ply) for ply in plies])
         self._tree.blockSignals(False)
-        for column, width in zip(range(7), (50, 112, 46, 44, 42, 62, 26)):
-            self._tree.setColumnWidth(column, width)
+        for column, width in enumerate(_WIDTHS):
+            # Style sheets may give titles more room than their letters need.
+            self._tree.setColumnWidth(column, max(width, self._tree.header().sectionSizeHint(column)))
 
     def rows(self) -> List[Dict[str, Any]]:
         """The plies as entries of a document, their values as texts."""

@@ -7,6 +7,7 @@ import FreeCAD as App
 
 from .core_sample import CoreSampleCommand
 from .deviation_map import DeviationMapCommand
+from .export_stack import ExportPlyBookCommand, ExportStackCommand
 from .extend_face import ExtendFaceCommand
 from .layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from .offset_face import OffsetFaceCommand
@@ -31,6 +32,8 @@ _COMMANDS = (
     None,
     PlyStackCommand,
     CoreSampleCommand,
+    ExportStackCommand,
+    ExportPlyBookCommand,
 )
 
 

@@ -6,7 +6,7 @@ from typing import Any, List
 
 import FreeCAD as App
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from ...features.ply_stack import PlyFeature, PlyStackFeature
 from ..selection import PointPicker
@@ -98,6 +98,8 @@ class CoreSamplePanel(FeaturePanel):
         self._feature.Point = App.Vector(*point)
         self._has_point = True
         self.compute()
+        # The colour of the selection would hide that of the ply; not from within the selection's own call.
+        QtCore.QTimer.singleShot(0, FreeCADGui.Selection.clearSelection)
 
     def _stack_chosen(self, index: int) -> None:
         if 0 <= index < len(self._stacks) and self._feature.Stack != self._stacks[index]:

@@ -28,7 +28,7 @@ class LayupPanel(FeaturePanel):
     """Edits one layup. Every change is checked at once; what is wrong is red, and OK waits until it is right."""
 
     FORM = "LayupPanel"
-    WIDTH = 480
+    WIDTH = 500
     CHOICES = {"direction": "Direction", "reference": "Reference"}
     TICKS = {"symmetric": "Symmetric", "middlePly": "MiddlePly"}
     NUMBERS = {"repeat": "Repeat"}

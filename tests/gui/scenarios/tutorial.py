@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""docs/tutorial.md step by step, with mouse and keys, in a window of 1280 x 720. scripts/tutorial_pictures keeps the
+pictures."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import ImportGui
+from PySide import QtCore, QtGui
+from PySide2.QtTest import QTest
+from session import (
+    OUT,
+    cell,
+    click,
+    click_in_view,
+    inside_point,
+    look_at_all,
+    press,
+    pump,
+    result_text,
+    run_command,
+    screenshot,
+    start,
+    wait_until,
+    widget,
+)
+
+BUTTON = QtGui.QDialogButtonBox
+EXAMPLES = os.path.join(os.environ["LAMINATE_OFFSET_BUILD_DIR"], "Mod", "LaminateOffset", "resources", "examples")
+#: What the tutorial's table holds: material and angle of the plies.
+PLIES = (("AS4-8552S-PW-193", "45"), ("IM7-8552-134", "0"), ("IM7-8552-134", "-45"), ("IM7-8552-134", "90"))
+
+
+def run() -> None:
+    """Called by scenario_runner.py."""
+    App.closeDocument(start(1280, 720).Name)
+    for name in ("Python console", "Report view"):
+        for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget, name):
+            dock.hide()
+    ImportGui.open(os.path.join(EXAMPLES, "panel_two_holes.step"))
+    doc = App.ActiveDocument
+    (panel,) = [obj for obj in doc.Objects if hasattr(obj, "Shape") and len(obj.Shape.Faces) == 1]
+    look_at_all()
+    screenshot("1_panel")
+    place = inside_point(panel.Shape.Face1)
+    click_in_view(point=place)
+    limits(doc)
+    offset(place)
+    layup()
+    stack(doc, place)
+    sample(doc, place)
+    export(doc)
+
+
+def limits(doc) -> None:
+    """How far the face can go."""
+    run_command("LaminateOffset_OffsetLimits")
+    fits("2_limits")
+    press(BUTTON.Ok)
+    doc.OffsetLimits.ViewObject.Visibility = False
+
+
+def offset(place) -> None:
+    """A caul surface at 200 mm, with the live preview; Cancel takes it back."""
+    click_in_view(point=place)
+    run_command()
+    click("livePreview")
+    line = widget("distance").findChild(QtGui.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, "200 mm")
+    QTest.keyClick(line, QtCore.Qt.Key_Tab)
+    wait_until(lambda: "poles" in result_text(), "the preview", 60000)
+    fits("3_preview")
+    press(BUTTON.Cancel)
+
+
+def layup() -> None:
+    """Four rows, symmetric: eight plies."""
+    Gui.Selection.clearSelection()
+    run_command("LaminateOffset_Layup")
+    for row, (material, angle) in enumerate(PLIES):
+        if row:
+            click("add")
+        for column, text in ((1, material), (3, angle)):
+            if widget("rows").topLevelItem(row).text(column) != text:
+                cell(row, column, text)
+    click("symmetric")
+    low = Gui.getMainWindow().mapToGlobal(Gui.getMainWindow().rect().bottomLeft()).y()
+    total = widget("total", QtGui.QLabel)
+    assert total.mapToGlobal(total.rect().bottomLeft()).y() < low, "the running total is out of sight"
+    assert widget("total", QtGui.QLabel).text() == "8 plies, 1.184 mm", widget("total", QtGui.QLabel).text()
+    fits("4_layup")
+    press(BUTTON.Ok)
+
+
+def stack(doc, place) -> None:
+    """The plies as named objects."""
+    click_in_view(point=place)
+    run_command("LaminateOffset_PlyStack")
+    widget("output", QtGui.QComboBox).setCurrentText("Named plies")
+    fits("5_stack_panel")
+    press(BUTTON.Ok)
+    made = doc.PlyStack
+    assert made.Status == "ok" and made.PlyCount == 8, made.Message
+    hide(doc, "panel_two_holes")
+    for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget):
+        tree.expandAll()
+    pump(300)
+    screenshot("6_stack")
+
+
+def hide(doc, label: str) -> None:
+    """Space on an object in the tree."""
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(doc.Name, doc.getObjectsByLabel(label)[0].Name)
+    Gui.runCommand("Std_ToggleVisibility", 0)
+    Gui.Selection.clearSelection()
+
+
+def sample(doc, place) -> None:
+    """What lies at a point."""
+    run_command("LaminateOffset_CoreSample")
+    click_in_view(point=place)
+    assert widget("plies", QtGui.QTreeWidget).topLevelItemCount() == 8, result_text()
+    fits("7_core_sample")
+    press(BUTTON.Ok)
+
+
+def export(doc) -> None:
+    """STEP with one part a ply, through the file dialog."""
+    path = os.path.join(OUT, "plies.step")
+
+    def save() -> None:
+        dialog = QtGui.QApplication.activeModalWidget()
+        QTest.keyClicks(dialog.findChild(QtGui.QLineEdit, "fileNameEdit"), path)
+        dialog.accept()
+
+    Gui.Selection.addSelection(doc.Name, doc.PlyStack.Name)
+    pump(200)
+    QtCore.QTimer.singleShot(1500, save)
+    run_command("LaminateOffset_ExportStack")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    assert all(f"'{name}'" in text for name in ("P1", "P4", "P4.2", "P1.2")), "the plies' names are not in the file"
+    Gui.Selection.clearSelection()
+
+
+def fits(picture: str) -> None:
+    """Every visible part of the panel lies within the panel's width: nothing is cut off at the side."""
+    screenshot(picture)
+    form = widget("result", QtGui.QLabel).parentWidget()
+    area = form
+    while not isinstance(area, QtGui.QScrollArea):
+        area = area.parentWidget()
+    right = area.viewport().mapToGlobal(area.viewport().rect().topRight()).x()
+    for child in form.findChildren(QtGui.QWidget):
+        if child.isVisible() and not isinstance(child.parentWidget(), (QtGui.QAbstractScrollArea, QtGui.QHeaderView)):
+            assert child.mapToGlobal(child.rect().topRight()).x() <= right, f"{child.objectName()} is cut off"
+            if isinstance(child, QtGui.QLabel) and not child.wordWrap():
+                assert child.width() >= child.sizeHint().width(), f"{child.text()!r} is cut off"
