@@ -53,11 +53,24 @@ def run() -> None:
     export(doc)
 
 
+def finish(button) -> None:
+    """OK or Cancel; then the panel is gone."""
+    press(button)
+    wait_until(lambda: not Gui.Control.activeDialog(), f"the panel to close; it says: {said()}")
+    pump(200)
+
+
+def said() -> str:
+    """What the panel's last line says, if there is a panel."""
+    labels = [label for label in Gui.getMainWindow().findChildren(QtGui.QLabel, "result") if label.isVisible()]
+    return labels[0].text() if labels else ""
+
+
 def limits(doc) -> None:
     """How far the face can go."""
     run_command("LaminateOffset_OffsetLimits")
     fits("2_limits")
-    press(BUTTON.Ok)
+    finish(BUTTON.Ok)
     doc.OffsetLimits.ViewObject.Visibility = False
 
 
@@ -73,7 +86,7 @@ def offset(place) -> None:
     QTest.keyClick(line, QtCore.Qt.Key_Tab)
     wait_until(lambda: "poles" in result_text(), "the preview", 60000)
     fits("3_preview")
-    press(BUTTON.Cancel)
+    finish(BUTTON.Cancel)
 
 
 def layup() -> None:
@@ -92,7 +105,7 @@ def layup() -> None:
     assert total.mapToGlobal(total.rect().bottomLeft()).y() < low, "the running total is out of sight"
     assert widget("total", QtGui.QLabel).text() == "8 plies, 1.184 mm", widget("total", QtGui.QLabel).text()
     fits("4_layup")
-    press(BUTTON.Ok)
+    finish(BUTTON.Ok)
 
 
 def stack(doc, place) -> None:
@@ -101,7 +114,7 @@ def stack(doc, place) -> None:
     run_command("LaminateOffset_PlyStack")
     widget("output", QtGui.QComboBox).setCurrentText("Named plies")
     fits("5_stack_panel")
-    press(BUTTON.Ok)
+    finish(BUTTON.Ok)
     made = doc.PlyStack
     assert made.Status == "ok" and made.PlyCount == 8, made.Message
     hide(doc, "panel_two_holes")
@@ -125,7 +138,7 @@ def sample(doc, place) -> None:
     click_in_view(point=place)
     assert widget("plies", QtGui.QTreeWidget).topLevelItemCount() == 8, result_text()
     fits("7_core_sample")
-    press(BUTTON.Ok)
+    finish(BUTTON.Ok)
 
 
 def export(doc) -> None:
