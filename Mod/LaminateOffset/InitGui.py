@@ -21,8 +21,16 @@ class LaminateOffsetWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):
         """Adds commands, toolbar and menu when the workbench is first activated."""
-        from laminate_offset.gui import commands, resources
+        import FreeCAD
 
+        try:
+            from laminate_offset.gui import commands, resources
+        except ImportError as error:  # the compiled part is missing, or was built for another Python or OpenCASCADE
+            from PySide import QtGui
+
+            FreeCAD.Console.PrintError(f"Laminate Offset: {error}\n")
+            QtGui.QMessageBox.critical(FreeCADGui.getMainWindow(), "Laminate Offset", str(error))
+            return
         resources.register()
         layout = commands.register()
         title = commands.TITLE
@@ -31,8 +39,10 @@ class LaminateOffsetWorkbench(FreeCADGui.Workbench):
 
     def ContextMenu(self, recipient):
         """Offers what can be done with the selection, in the 3-D view and in the tree."""
-        from laminate_offset.gui import commands
-
+        try:
+            from laminate_offset.gui import commands
+        except ImportError:  # told when the workbench was chosen
+            return
         self.appendContextMenu("", commands.active_names())
 
     def GetClassName(self):

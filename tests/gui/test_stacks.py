@@ -37,3 +37,7 @@ def test_preferences_and_languages():
 @pytest.mark.parametrize("theme", ["", "Behave-dark.qss"])
 def test_tutorial(theme):
     run_scenario("tutorial", theme=theme)
+
+
+def test_missing_core_is_told():
+    run_scenario("missing_core", refusals=["compiled part could not be loaded"])

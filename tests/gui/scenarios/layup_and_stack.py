@@ -6,7 +6,7 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from PySide2.QtTest import QTest
 from session import (
     OUT,
@@ -17,6 +17,7 @@ from session import (
     inside_point,
     look_at_all,
     press,
+    pump,
     result_is_red,
     result_text,
     run_command,
@@ -28,6 +29,7 @@ from session import (
 )
 
 BUTTON = QtGui.QDialogButtonBox
+DRAGGED = QtCore.Qt.ItemIsDragEnabled
 PANEL = os.path.join(
     os.environ["LAMINATE_OFFSET_BUILD_DIR"], "Mod", "LaminateOffset", "resources", "examples", "panel_two_holes.step"
 )
@@ -104,7 +106,23 @@ def rows_are_moved(layup) -> None:
     click("down")
     assert names() == ["P1", "P2", "P3", "P4"], names()
     click("up")
+    dragged(tree, 0, 4)
+    assert names() == ["P2", "P4", "P3", "P1"], names()
+    moved = tree.topLevelItem(3)
+    assert [moved.text(column) for column in range(6)] == ["P1", "AS4-8552S-PW-193", "", "45", "1", ""]
+    assert moved.checkState(6) == QtCore.Qt.Checked and moved.flags() & DRAGGED
+    assert widget("total", QtGui.QLabel).text() == "8 plies, 1.172 mm", widget("total", QtGui.QLabel).text()
     press(BUTTON.Cancel)
+
+
+def dragged(tree, source: int, target: int) -> None:
+    """What Qt does at the end of a drag within the table: the row is dropped before another place, then taken away."""
+    model = tree.model()
+    assert tree.dragDropMode() == QtGui.QAbstractItemView.InternalMove and tree.topLevelItem(source).flags() & DRAGGED
+    data = model.mimeData([model.index(source, column) for column in range(model.columnCount())])
+    assert model.dropMimeData(data, QtCore.Qt.MoveAction, target, 0, QtCore.QModelIndex())
+    tree.takeTopLevelItem(source)
+    pump(200)
 
 
 def make_stack(doc, base, layup):

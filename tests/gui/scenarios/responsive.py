@@ -84,21 +84,41 @@ def watched(done) -> None:
 
 
 def preview(name: str, base, first: str, second: str) -> None:
-    """Two distances, the first of which is cancelled by the second. On a busy machine it is tried again."""
+    """Two distances, the first of which is cancelled by the second.
+
+    On a busy machine it is tried again; where the loop stands still even with nothing to compute, that is the measure.
+    """
     select(base, "Face1")
     run_command()
+    idle = idle_pause(first, second)
     click("livePreview")
     pauses = []
     while len(pauses) < ATTEMPTS and min(pauses, default=1.0) >= LIMIT_S:
         whole, own = longest_pause(first, second)
         pauses.append(own)
-        with open(os.path.join(OUT, "figures.txt"), "a", encoding="utf-8") as file:
-            file.write(f"{name}: longest pause {1000 * whole:.0f} ms, own {1000 * own:.0f} ms; {result_text()}\n")
+        note(f"{name}: longest pause {1000 * whole:.0f} ms, own {1000 * own:.0f} ms; {result_text()}")
     screenshot(name.split(".", maxsplit=1)[0])
-    assert min(pauses) < LIMIT_S, f"{name}: the event loop stood still for {pauses} s"
+    note(f"{name}: longest own pause with nothing to compute {1000 * idle:.0f} ms")
+    assert min(pauses) < max(LIMIT_S, 2 * idle), f"{name}: the event loop stood still for {pauses} s, idle {idle} s"
     began = time.perf_counter()
     press(BUTTON.Cancel)
     assert time.perf_counter() - began < 5 and not Gui.Control.activeDialog()
+
+
+def note(line: str) -> None:
+    """Keeps a figure."""
+    with open(os.path.join(OUT, "figures.txt"), "a", encoding="utf-8") as file:
+        file.write(line + "\n")
+
+
+def idle_pause(first: str, second: str) -> float:
+    """The longest pause of our own while distances are typed and nothing is computed."""
+    pulse = Pulse()
+    for _ in range(5):
+        type_into("distance", first)
+        type_into("distance", second)
+    pump(1000)
+    return pulse.stop()[1]
 
 
 def longest_pause(first: str, second: str) -> tuple:
