@@ -14,6 +14,7 @@
 #include <laminate_offset/spline/monotone_map.h>
 #include <laminate_offset/surface/certificate.h>
 #include <laminate_offset/surface/piegl_tiller.h>
+#include <laminate_offset/trimming/check_edges.h>
 #include <laminate_offset/trimming/offset_trimming_curve.h>
 #include <laminate_offset/trimming/space_curve.h>
 
@@ -654,6 +655,38 @@ TEST(RaviKumar, ClosesATube)
         const Result<OffsetResult> result = by_ravi_kumar(face, distance, 1e-2);
         ASSERT_TRUE(result.ok()) << why(result);
         EXPECT_TRUE(confirms(measure_offset(face, result.value().face(), distance, {50, 60}), 1e-2));
+    }
+}
+
+TEST(RaviKumar, NamesThePlaceOfABadEdgeOnTheBase)
+{
+    const Result<InputFace> input = read_face(panel_with_hole());
+    ASSERT_TRUE(input.ok());
+    OffsetSurface surface;
+    surface.certified_error = 0.01;
+    for (int bad = 0; bad < 5; ++bad)
+    {
+        TrimLoops loops;
+        gp_Pnt2d expected;
+        for (const TrimmingLoop &loop : input.value().loops)
+            for (const TrimmingCurve &curve : loop.curves)
+            {
+                const int k = loops.bases.Add(curve.edge) - 1;
+                OffsetEdge edge;
+                edge.own_parameters = true;
+                edge.offset_error = k == bad ? 0.5 : 0.02;
+                edge.deviation = {k == bad ? 0.0 : 0.06, true}; // from the surface, which has its own parameters
+                edge.pcurve = wavy_pcurve();
+                if (k == bad)
+                    expected = curve.pcurve->Value(0.5 * (curve.first + curve.last));
+                loops.edges.push_back(edge);
+            }
+        ASSERT_EQ(loops.edges.size(), 5u);
+        const Result<bool> close = check_edges(input.value(), surface, loops, 0.1);
+        ASSERT_FALSE(close.ok());
+        EXPECT_EQ(close.failure().status, Status::EdgeToleranceNotReached);
+        EXPECT_LT(close.failure().where->uv.Distance(expected), 1e-12);
+        EXPECT_TRUE(check_edges(input.value(), surface, loops, 0.6).ok());
     }
 }
 
