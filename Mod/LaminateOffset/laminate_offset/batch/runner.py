@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import threading
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
@@ -108,18 +108,23 @@ class _Run:
         self._processes: List["subprocess.Popen[str]"] = []
         self._lock = threading.Lock()
         self._stopped = False
+        self._threads = 1
+        self._servers: List[threading.Thread] = []
 
     def go(self, workers: int) -> List[Outcome]:
         """Runs everything that is not done; writes the summary however it ends."""
         try:
             count = self._sort_out()
-            threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(min(workers, count))]
-            for thread in threads:
-                thread.start()
+            workers = min(workers, count)
+            # The processes share the cores: what one job could do in parallel, the others need.
+            self._threads = max(1, len(os.sched_getaffinity(0)) // max(1, workers))
+            self._servers = [threading.Thread(target=self._serve, daemon=True) for _ in range(workers)]
+            for server in self._servers:
+                server.start()
             for _ in range(count):
                 self._learn(self._known.get())
-            for thread in threads:
-                thread.join()
+            for server in self._servers:
+                server.join()
         except BaseException:
             self._stop()
             raise
@@ -150,6 +155,8 @@ class _Run:
 
     def _serve(self) -> None:
         """A thread: keeps one worker process at work until nothing waits any more."""
+        # Workers inherit that Ctrl-C has to wait, until they are ready for it.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         process: Optional["subprocess.Popen[str]"] = None
         try:
             while not self._stopped:
@@ -163,15 +170,15 @@ class _Run:
                 if answer is None and self._stopped:
                     break
                 if answer is None:
+                    _dismiss(process)
                     answer = _crashed(process, order, digests)
                     process = None
                 self._known.put(Outcome(order.job, answer["state"], answer["reason"], answer["figures"]))
         except BaseException as error:  # the main thread waits for this one's outcomes
             self._known.put(error)
         finally:
-            if process is not None and process.stdin is not None:
-                process.stdin.close()
-                process.wait()
+            if process is not None:
+                _dismiss(process)
 
     def _start(self) -> "subprocess.Popen[str]":
         """A new worker, in a session of its own: a Ctrl-C at the terminal reaches it through us only."""
@@ -180,7 +187,7 @@ class _Run:
             if self._stopped:
                 raise KeyboardInterrupt
             process = subprocess.Popen(
-                [sys.executable, "-c", COMMAND],
+                [sys.executable, "-c", COMMAND, str(self._threads)],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 env=environment,
@@ -206,6 +213,8 @@ class _Run:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+        for server in self._servers:
+            server.join(STOP_SECONDS)
 
     def _all(self) -> List[Outcome]:
         return [self._outcomes.get(order.job.row, Outcome(order.job, NOT_RUN)) for order in self._orders]
@@ -229,9 +238,17 @@ def _ask(
     return answer
 
 
+def _dismiss(process: "subprocess.Popen[str]") -> None:
+    """Lets a worker end, or waits for the end of one that is ending."""
+    assert process.stdin is not None
+    with suppress(BrokenPipeError):  # it has ended with an order on its way
+        process.stdin.close()
+    process.wait()
+
+
 def _crashed(process: "subprocess.Popen[str]", order: _Order, digests: Dict[str, Optional[str]]) -> Dict[str, Any]:
     """The outcome of a job whose worker has ended in the middle of it; it is recorded."""
-    code = process.wait()
+    code = process.returncode
     how = signal.strsignal(-code) if code < 0 else f"exit code {code}"
     reason = f"the process that worked on it ended early ({how})"
     record = make_record(order.job.task(), digests, FAILED, reason, figures={}, report=None)

@@ -11,19 +11,23 @@ import signal
 import sys
 import threading
 
+from .. import _core
 from ..lines import take_over
 from .work import carry_out
 
 # What a worker runs; the package is found on PYTHONPATH. Until `main` is there, Ctrl-C ends it without a word.
 COMMAND = (
-    "import signal; signal.signal(signal.SIGINT, signal.SIG_DFL); from laminate_offset.batch.worker import main; main()"
+    "import signal; signal.signal(signal.SIGINT, signal.SIG_DFL); "
+    "signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT}); "
+    "from laminate_offset.batch.worker import main; main()"
 )
 READY = "ready\n"
 
 
 def main() -> None:
-    """Works until there are no more jobs."""
+    """Works until there are no more jobs, with at most as many threads as the first argument says."""
     out, _ = take_over()
+    _core.limit_threads(int(sys.argv[1]))
     orders: "queue.Queue[str]" = queue.Queue()
     threading.Thread(target=_listen, args=(orders,), daemon=True).start()
     try:

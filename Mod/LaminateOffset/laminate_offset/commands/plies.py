@@ -7,13 +7,14 @@ from typing import Any, TextIO
 
 from ..each_face import choose, refusal_line
 from ..errors import OffsetError
+from ..export import export_ply_book
 from ..export.pictures import require_matplotlib
 from ..export.step import SCHEMAS
 from ..files import format_of, read_faces, write_json
 from ..layup import read_layup
 from ..replacing import FileError
 from ..stack import SURFACES, PlyStack, stack_plies
-from . import DONE, REFUSED
+from . import CANCELLED, DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
 from .bar import Bar
 from .outputs import check_results
@@ -68,7 +69,11 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
         if arguments.report:
             write_json(refusal.report.to_dict(), arguments.report)
         return REFUSED
-    _write(stack, arguments, err)
+    try:
+        _write(stack, arguments, err)
+    except KeyboardInterrupt:
+        print("laminate-offset: cancelled; only the files named above were written.", file=err)
+        return CANCELLED
     print(f"face {number}: {stack.summary()}", file=out)
     if arguments.report:
         write_json({**stack.report, "stack": stack.ply_reports()}, arguments.report)
@@ -94,6 +99,11 @@ def _write(stack: PlyStack, arguments: argparse.Namespace, err: TextIO) -> None:
     print(f"laminate-offset: wrote {arguments.output}", file=err)
     for option in TEXTS:
         path = getattr(arguments, option)
-        if path is not None:
+        if path is None:
+            continue
+        if option == "book":
+            with Bar(1, err, "ply book") as bar:
+                export_ply_book(stack, path, progress=bar.progress_after(0))
+        else:
             stack.export(path)
-            print(f"laminate-offset: wrote {path}", file=err)
+        print(f"laminate-offset: wrote {path}", file=err)

@@ -112,14 +112,14 @@ def _totals(stack: "PlyStack") -> Iterable[Tuple[str, str]]:
     yield "On the lay-up surface", REFERENCES[report["reference"]]
     figures = measures_of(stack)
     if figures is not None:
-        yield "Area of all plies", number(figures.area, "mm2")
+        yield "Area of all plies", _area(figures.area)
         yield from _sizes(figures)
     yield "Tolerance", number(report["tolerance"])
     yield "Proven error of surfaces", _proven(report["certified_error"])
     yield "Proven error of edges", _proven(report["edge_error"])
     for material in figures.materials if figures is not None else ():
         mass = "mass not known" if material.mass is None else number(material.mass, "kg")
-        yield f"Material {material.material}", f"{material.plies} plies, {number(material.area, 'mm2')}, {mass}"
+        yield f"Material {material.material}", f"{material.plies} plies, {_area(material.area)}, {mass}"
 
 
 def _ply_table(stack: "PlyStack") -> str:
@@ -137,7 +137,7 @@ def _measured(stack: "PlyStack") -> "List[Tuple[StackPly, Optional[PlyProperties
 
 
 def _sizes(measures: Any) -> Iterable[Tuple[str, str]]:
-    yield "Volume", number(measures.volume, "mm3")
+    yield "Volume", number(measures.volume * 1e-3, "cm3")
     yield "Mass", number(measures.mass, "kg")
     yield "Centre of gravity", _place(measures.center)
 
@@ -179,7 +179,7 @@ def _figures(stack: "PlyStack", ply: "StackPly", measures: Optional[PlyPropertie
     yield "Bottom, middle, top", ", ".join(map(_length, (physical.bottom, physical.middle, physical.top))) + " mm"
     yield "Boundary", row.boundary or "the whole face"
     if measures is not None:
-        yield "Area", number(measures.area, "mm2")
+        yield "Area", _area(measures.area)
         yield from _sizes(measures)
     yield "Surface", surface_type(report["surface"])
     more = ", where all plies below are present" if ply.over_ramp else ""
@@ -217,3 +217,7 @@ def _length(value: float) -> str:
 
 def _place(point: Any) -> str:
     return "({:.6g}, {:.6g}, {:.6g}) mm".format(*(round(value, 6) + 0.0 for value in point))
+
+
+def _area(square_millimetres: float) -> str:
+    return number(square_millimetres * 1e-6, "m2")

@@ -25,7 +25,7 @@ WIDTH, LOWEST, HIGHEST, DPI = 6.4, 2.6, 5.6, 110  # width and range of heights i
 STRIP = 0.5  # inches at the bottom, for the scale
 DEVIATION = 3e-4  # of triangles and lines, of the stack's size
 ANGLE = 0.1  # radians between neighbouring triangles
-DASHES = 18  # fibre strokes across the larger side of a picture
+DASHES = 18  # fibre strokes across the larger side of a ply
 # Mean normals shorter than this: the surface closes on itself, and no side of it shows all.
 CLOSED = 0.3
 _LIGHT = numpy.array((-0.35, 0.45, 0.82))
@@ -240,13 +240,16 @@ class Seen:
         return inside, normals
 
 
-def _grid(view: View) -> Tuple[Array, float]:
-    """Places all over the picture, every second row shifted by half a step, and the step."""
-    extent = view.high - view.low
-    step = float(extent.max()) / DASHES
+def _grid(mesh: Mesh, view: View) -> Tuple[Array, float]:
+    """Places all over a ply, every second row shifted by half a step, and the step."""
+    points = view.flat(mesh.corners.reshape(-1, 3))
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = high - low
+    # A ply on a small part of the face has more strokes than its share of the picture.
+    step = max(float(extent.max()), 0.35 * float((view.high - view.low).max())) / DASHES
     columns, rows = (numpy.arange(-0.5, 0.5 * extent[k] / step + 1.0) for k in (0, 1))
     columns, rows = (numpy.concatenate((-values[::-1], values[values > 0.5])) for values in (columns, rows))
-    centre = 0.5 * (view.low + view.high)
+    centre = 0.5 * (low + high)
     places = [
         centre + step * numpy.array((column + 0.5 * (index % 2), row))
         for index, row in enumerate(rows)
@@ -260,7 +263,7 @@ def _draw_directions(axes: Any, mesh: Mesh, view: View, angle: float) -> None:
     from matplotlib.collections import LineCollection
 
     seen = Seen(mesh, view)
-    places, step = _grid(view)
+    places, step = _grid(mesh, view)
     inside, normals = seen.normals_at(places)
     places, normals = places[inside], normals[inside]
     if not len(places):
