@@ -9,6 +9,7 @@ from typing import List
 import laminate_offset as lo
 import pytest
 import sample_shapes
+from laminate_offset import _core
 
 DISTANCE, TIGHT = 5.0, 1e-7
 
@@ -135,3 +136,37 @@ def test_ctrl_c_stops_the_computation(heavy) -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, previous)
+
+
+def test_processor_cores_can_be_limited():
+    face = lo.api.Part.makeSphere(10.0).Faces[0]
+    try:
+        for count in (1, 2, 0):
+            _core.limit_threads(count)
+            assert lo.offset_face(face, 1.0).report.status == "ok"
+        with pytest.raises(ValueError, match="0, for all"):
+            _core.limit_threads(-1)
+    finally:
+        _core.limit_threads(0)
+
+
+def test_searches_let_other_threads_run():
+    """A counting thread goes on while nearest_point works."""
+    face = sample_shapes.bspline_face()
+    points = [(0.01 * i % 50, 0.013 * i % 50, 3.0) for i in range(20000)]
+    turns, stop = [0], threading.Event()
+
+    def count() -> None:
+        while not stop.is_set():
+            turns[0] += 1
+            time.sleep(0.001)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    time.sleep(0.02)
+    before = turns[0]
+    lo.nearest_point(face, points)
+    during = turns[0] - before
+    stop.set()
+    counter.join()
+    assert during > 3, during
