@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "pcurve_pieces.h"
 
+#include "../spline/control_points.h"
 #include "../spline/geom_values.h"
 
 #include <BndLib_Add2dCurve.hxx>
 #include <Bnd_Box2d.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 
@@ -36,46 +35,6 @@ std::vector<double> piece_ends(double first, double last, int count)
     return ends;
 }
 
-//! Points (x, y, 1) times a weight.
-using ControlPoints = std::vector<Eigen::Vector3d>;
-
-//! Bernstein points of one span of a spline, by de Boor's scheme with both its ends as arguments.
-ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int span)
-{
-    const int p = kv.degree;
-    const double *t = kv.knots.data() + span;
-    ControlPoints result;
-    for (int i = 0; i <= p; ++i)
-    {
-        ControlPoints points(poles.begin() + (span - p), poles.begin() + (span + 1));
-        for (int r = 1; r <= p; ++r)
-        {
-            const double x = r <= p - i ? t[0] : t[1];
-            for (int k = p; k >= r; --k)
-            {
-                const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
-                Eigen::Vector3d &point = points[static_cast<std::size_t>(k)];
-                point = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * point;
-            }
-        }
-        result.push_back(points.back());
-    }
-    return result;
-}
-
-//! Cuts off what lies before s (de Casteljau): returned, and the rest remains.
-ControlPoints cut_off(ControlPoints &points, double s)
-{
-    ControlPoints before{points.front()};
-    for (std::size_t count = points.size() - 1; count > 0; --count)
-    {
-        for (std::size_t k = 0; k < count; ++k)
-            points[k] = (1.0 - s) * points[k] + s * points[k + 1];
-        before.push_back(points.front());
-    }
-    return before;
-}
-
 //! False where a weight is not positive.
 bool add_points(const ControlPoints &points, Bnd_Box2d &box)
 {
@@ -96,9 +55,7 @@ bool add_control_points(const Geom2d_BSplineCurve &curve, const std::vector<doub
     if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() || ends.back() > curve.LastParameter())
         return false;
     const KnotVector kv = knots_of(curve);
-    ControlPoints poles;
-    for (int i = 1; i <= curve.NbPoles(); ++i)
-        poles.push_back(curve.Weight(i) * Eigen::Vector3d(curve.Pole(i).X(), curve.Pole(i).Y(), 1.0));
+    const ControlPoints poles = weighted_poles(curve);
     std::size_t piece = 0;
     for (int span = kv.span(ends.front()); span <= kv.span(ends.back()); ++span)
     {

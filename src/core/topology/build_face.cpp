@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "build_face.h"
 
+#include "simple_loops.h"
+
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -233,13 +235,27 @@ private:
     std::vector<TopoDS_Edge> m_edges;
 };
 
+//! BRepCheck_Analyzer's verdict. Where the edges are proven to be near the surface and the loops to bound a region, the
+//! wires by themselves are all that is left to judge.
+bool valid(const TopoDS_Face &face, const TrimLoops &loops)
+{
+    const bool edges_proven = std::all_of(loops.edges.begin(), loops.edges.end(),
+                                          [](const OffsetEdge &edge) { return edge.deviation.proven; });
+    if (!edges_proven || !loops_proven_simple(face))
+        return BRepCheck_Analyzer(face).IsValid();
+    for (TopoDS_Iterator it(face); it.More(); it.Next())
+        if (!BRepCheck_Analyzer(it.Value()).IsValid())
+            return false;
+    return true;
+}
+
 } // namespace
 
 Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops,
                                FaceCheck check)
 {
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
-    if (check == FaceCheck::None || BRepCheck_Analyzer(face).IsValid())
+    if (check == FaceCheck::None || valid(face, loops))
         return face;
     const bool base_is_valid = BRepCheck_Analyzer(input.face).IsValid();
     return Failure{Status::InvalidResult, Stage::Topology,

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "control_points.h"
+
+#include "geom_values.h"
+
+namespace laminate_offset
+{
+
+ControlPoints weighted_poles(const Geom2d_BSplineCurve &curve)
+{
+    ControlPoints poles;
+    for (int i = 1; i <= curve.NbPoles(); ++i)
+        poles.push_back(curve.Weight(i) * Eigen::Vector3d(curve.Pole(i).X(), curve.Pole(i).Y(), 1.0));
+    return poles;
+}
+
+ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int span)
+{
+    const int p = kv.degree;
+    const double *t = kv.knots.data() + span;
+    ControlPoints result;
+    for (int i = 0; i <= p; ++i)
+    {
+        ControlPoints points(poles.begin() + (span - p), poles.begin() + (span + 1));
+        for (int r = 1; r <= p; ++r)
+        {
+            const double x = r <= p - i ? t[0] : t[1];
+            for (int k = p; k >= r; --k)
+            {
+                const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
+                Eigen::Vector3d &point = points[static_cast<std::size_t>(k)];
+                point = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * point;
+            }
+        }
+        result.push_back(points.back());
+    }
+    return result;
+}
+
+ControlPoints cut_off(ControlPoints &points, double s)
+{
+    ControlPoints before{points.front()};
+    for (std::size_t count = points.size() - 1; count > 0; --count)
+    {
+        for (std::size_t k = 0; k < count; ++k)
+            points[k] = (1.0 - s) * points[k] + s * points[k + 1];
+        before.push_back(points.front());
+    }
+    return before;
+}
+
+std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, double first, double last)
+{
+    const KnotVector kv = knots_of(curve);
+    const ControlPoints poles = weighted_poles(curve);
+    std::vector<ControlPoints> pieces;
+    for (int span = kv.span(first); span <= kv.span(last); ++span)
+    {
+        double low = kv.knots[static_cast<std::size_t>(span)];
+        const double high = kv.knots[static_cast<std::size_t>(span) + 1];
+        if (!(low < high))
+            continue;
+        ControlPoints piece = span_points(kv, poles, span);
+        if (low < first)
+        {
+            cut_off(piece, (first - low) / (high - low));
+            low = first;
+        }
+        if (last < high)
+            piece = cut_off(piece, (last - low) / (high - low));
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+} // namespace laminate_offset

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! Plane splines by the control points of their Bezier pieces.
+#pragma once
+
+#include "knot_vector.h"
+
+#include <Eigen/Core>
+#include <Geom2d_BSplineCurve.hxx>
+
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! Points (x, y, 1) times a weight, of one Bezier piece.
+using ControlPoints = std::vector<Eigen::Vector3d>;
+
+//! The poles of a spline, each with its weight.
+ControlPoints weighted_poles(const Geom2d_BSplineCurve &curve);
+
+//! The Bezier piece of one span of a spline, by de Boor's scheme with both ends of the span as arguments.
+ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int span);
+
+//! Cuts off what lies before s of [0, 1] (de Casteljau): returned, and the rest remains.
+ControlPoints cut_off(ControlPoints &points, double s);
+
+//! The Bezier pieces of a spline that does not go round, between two of its parameters.
+std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, double first, double last);
+
+} // namespace laminate_offset
