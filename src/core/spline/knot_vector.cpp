@@ -94,44 +94,6 @@ void values_of_degree(const double *t, int q, double u, double *values)
     }
 }
 
-//! The same for many values of u: the divisors belong to the span, and dividing takes longer than all the rest.
-class SpanBasis
-{
-public:
-    //! \param t starts with the span, \param p the highest degree that is asked for.
-    void reset(const double *t, int p)
-    {
-        m_t = t;
-        double *inverse = m_inverses.data();
-        for (int j = 1; j <= p; ++j)
-            for (int r = 0; r < j; ++r)
-                *inverse++ = 1.0 / (t[r + 1] - t[1 - j + r]);
-    }
-
-    void values_of_degree(int q, double u, double *values) const
-    {
-        const double *inverse = m_inverses.data();
-        values[0] = 1.0;
-        for (int j = 1; j <= q; ++j)
-        {
-            double saved = 0.0;
-            for (int r = 0; r < j; ++r)
-            {
-                const double part = values[r] * *inverse++;
-                values[r] = saved + (m_t[r + 1] - u) * part;
-                saved = (u - m_t[1 - j + r]) * part;
-            }
-            values[j] = saved;
-        }
-    }
-
-    [[nodiscard]] const double *t() const { return m_t; }
-
-private:
-    const double *m_t = nullptr;
-    std::array<double, max_spline_degree *(max_spline_degree + 1) / 2> m_inverses;
-};
-
 //! Differentiates in place: from the q values of degree q - 1 to the q + 1 derivatives of degree q,
 //! N' = q (N_i / (t_{i+q} - t_i) - N_{i+1} / (t_{i+q+1} - t_{i+1})).
 void differentiate(const double *t, int q, double *values)
@@ -166,6 +128,32 @@ void blossom_values(const double *t, int p, const double *x, double *values)
 }
 
 } // namespace
+
+void SpanBasis::reset(const double *t, int p)
+{
+    m_t = t;
+    double *inverse = m_inverses.data();
+    for (int j = 1; j <= p; ++j)
+        for (int r = 0; r < j; ++r)
+            *inverse++ = 1.0 / (t[r + 1] - t[1 - j + r]);
+}
+
+void SpanBasis::values_of_degree(int q, double u, double *values) const
+{
+    const double *inverse = m_inverses.data();
+    values[0] = 1.0;
+    for (int j = 1; j <= q; ++j)
+    {
+        double saved = 0.0;
+        for (int r = 0; r < j; ++r)
+        {
+            const double part = values[r] * *inverse++;
+            values[r] = saved + (m_t[r + 1] - u) * part;
+            saved = (u - m_t[1 - j + r]) * part;
+        }
+        values[j] = saved;
+    }
+}
 
 void basis_values(const KnotVector &kv, int span, double u, double *values)
 {

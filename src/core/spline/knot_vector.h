@@ -3,6 +3,7 @@
 //! Clamped knot vectors and their basis functions (Piegl & Tiller, The NURBS Book, ch. 2).
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace laminate_offset
@@ -52,6 +53,25 @@ void basis_values(const KnotVector &kv, int span, double u, double *values);
 
 //! Derivatives 0..order of the same functions: out[k * (degree + 1) + i] (NURBS Book A2.3).
 void basis_derivatives(const KnotVector &kv, int span, double u, int order, double *out);
+
+//! The basis functions on one span, for many parameters: the divisors belong to the span, and dividing takes longer than
+//! all the rest.
+class SpanBasis
+{
+public:
+    //! \param t points to the start of the span inside a knot vector, which has to stay.
+    //! \param p the highest degree that is asked for.
+    void reset(const double *t, int p);
+
+    //! The q + 1 functions of degree q <= p that do not vanish on the span, at u.
+    void values_of_degree(int q, double u, double *values) const;
+
+    [[nodiscard]] const double *t() const { return m_t; }
+
+private:
+    const double *m_t = nullptr;
+    std::array<double, max_spline_degree *(max_spline_degree + 1) / 2> m_inverses;
+};
 
 //! Basis functions tabulated at many parameters, as the rows of a banded matrix.
 class BasisRows

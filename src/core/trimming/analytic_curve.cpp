@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analytic_curve.h"
 
+#include "../spline/bernstein.h"
 #include "../spline/geom_values.h"
 
 #include <Geom2dAdaptor_Curve.hxx>
@@ -31,8 +32,9 @@ namespace
 {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// Evaluating a spline of degree 25 takes some 80 roundings of sums of positive terms, a conic a dozen.
-constexpr double operations = 128.0;
+// A spline of degree 25 takes some 80 roundings to its Bernstein coefficients and 80 more to their sum, all of positive
+// terms; binomial coefficients add two for each degree, a conic takes a dozen.
+constexpr double operations = 256.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using laminate_offset::vector; // else the overloads below hide it
@@ -152,6 +154,7 @@ void CurvePiece::prepare_spline()
     for (int i = 0; i < width; ++i)
     {
         m_coefficients[static_cast<std::size_t>(i)] = blossom_at(i);
+        m_scaled[static_cast<std::size_t>(i)] = binomial(m_degree, i) * m_coefficients[static_cast<std::size_t>(i)];
         const Eigen::Vector4d &pole = m_curve->m_poles[static_cast<std::size_t>(m_span - m_degree + i)];
         size = size.cwiseMax(pole.head<3>().cwiseAbs());
         least_weight = std::min(least_weight, pole.w());
@@ -202,7 +205,24 @@ void CurvePiece::prepare_conic()
                  (m_curve->m_a0.cwiseAbs() + growth * (m_curve->m_a1.cwiseAbs() + m_curve->m_a2.cwiseAbs()));
 }
 
-Eigen::Vector3d CurvePiece::value(double t) const { return m_curve->value_on(m_span, t); }
+Eigen::Vector3d CurvePiece::value(double t) const
+{
+    if (m_curve->m_kind != AnalyticCurve::Kind::Spline)
+        return m_curve->value_on(m_span, t);
+    const double s = (t - m_a) / (m_b - m_a);
+    std::array<double, max_spline_degree + 1> rest;
+    rest[0] = 1.0;
+    for (int i = 1; i <= m_degree; ++i)
+        rest[static_cast<std::size_t>(i)] = rest[static_cast<std::size_t>(i) - 1] * (1.0 - s);
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    double power = 1.0;
+    for (int i = 0; i <= m_degree; ++i)
+    {
+        sum += (power * rest[static_cast<std::size_t>(m_degree - i)]) * m_scaled[static_cast<std::size_t>(i)];
+        power *= s;
+    }
+    return m_curve->m_rational ? Eigen::Vector3d(sum.head<3>() / sum.w()) : Eigen::Vector3d(sum.head<3>());
+}
 
 CurveReach CurvePiece::conic_reach(double rho) const
 {

@@ -67,6 +67,7 @@ private:
     int m_span = 0;
     int m_degree = 0; //!< of the Bernstein coefficients
     std::array<Eigen::Vector4d, max_spline_degree + 1> m_coefficients;
+    std::array<Eigen::Vector4d, max_spline_degree + 1> m_scaled; //!< the same of a spline, times its binomials
     Eigen::Vector3d m_middle;
     Eigen::Vector3d m_rounding;
 };

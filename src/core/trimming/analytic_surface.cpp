@@ -153,6 +153,11 @@ Eigen::Vector4d AnalyticSurface::homogeneous(double u, double v, const Cell &cel
     Basis basis_u, basis_v;
     basis_values(m_spline.u, cell.span_u, u, basis_u.data());
     basis_values(m_spline.v, cell.span_v, v, basis_v.data());
+    return combined(basis_u.data(), basis_v.data(), cell);
+}
+
+Eigen::Vector4d AnalyticSurface::combined(const double *basis_u, const double *basis_v, const Cell &cell) const
+{
     const int q = m_spline.v.degree;
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
     for (int i = 0; i <= m_spline.u.degree; ++i)
@@ -160,19 +165,40 @@ Eigen::Vector4d AnalyticSurface::homogeneous(double u, double v, const Cell &cel
         const Eigen::Vector4d *row = &m_spline.pole(cell.span_u - m_spline.u.degree + i, cell.span_v - q);
         Eigen::Vector4d along = Eigen::Vector4d::Zero();
         for (int j = 0; j <= q; ++j)
-            along += basis_v[static_cast<std::size_t>(j)] * row[j];
-        sum += basis_u[static_cast<std::size_t>(i)] * along;
+            along += basis_v[j] * row[j];
+        sum += basis_u[i] * along;
     }
     return sum;
+}
+
+Eigen::Vector3d AnalyticSurface::without_weight(const Eigen::Vector4d &point) const
+{
+    return m_spline.rational ? Eigen::Vector3d(point.head<3>() / point.w()) : Eigen::Vector3d(point.head<3>());
+}
+
+AnalyticSurface::OnCell::OnCell(const AnalyticSurface &surface, const Cell &cell) : m_surface(surface), m_cell(cell)
+{
+    if (surface.m_kind != Kind::Spline)
+        return;
+    const TensorSpline &spline = surface.m_spline;
+    m_u.reset(spline.u.knots.data() + cell.span_u, spline.u.degree);
+    m_v.reset(spline.v.knots.data() + cell.span_v, spline.v.degree);
+}
+
+Eigen::Vector3d AnalyticSurface::OnCell::value(double u, double v) const
+{
+    if (m_surface.m_kind != Kind::Spline)
+        return m_surface.value(u, v, m_cell);
+    Basis basis_u, basis_v;
+    m_u.values_of_degree(m_surface.m_spline.u.degree, u, basis_u.data());
+    m_v.values_of_degree(m_surface.m_spline.v.degree, v, basis_v.data());
+    return m_surface.without_weight(m_surface.combined(basis_u.data(), basis_v.data(), m_cell));
 }
 
 Eigen::Vector3d AnalyticSurface::value(double u, double v, const Cell &cell) const
 {
     if (m_kind == Kind::Spline)
-    {
-        const Eigen::Vector4d sum = homogeneous(u, v, cell);
-        return m_spline.rational ? Eigen::Vector3d(sum.head<3>() / sum.w()) : Eigen::Vector3d(sum.head<3>());
-    }
+        return without_weight(homogeneous(u, v, cell));
     if (m_kind == Kind::Plane)
         return m_origin + u * m_x + v * m_y;
     const Eigen::Vector3d outwards = std::cos(u) * m_x + std::sin(u) * m_y;

@@ -47,6 +47,20 @@ public:
     //! The function that the surface is on the cell; (u, v) may lie a little outside.
     [[nodiscard]] Eigen::Vector3d value(double u, double v, const Cell &cell) const;
 
+    //! The same for many parameters on one cell. Refers to the surface.
+    class OnCell
+    {
+    public:
+        OnCell(const AnalyticSurface &surface, const Cell &cell);
+        [[nodiscard]] Eigen::Vector3d value(double u, double v) const;
+
+    private:
+        const AnalyticSurface &m_surface;
+        Cell m_cell;
+        SpanBasis m_u;
+        SpanBasis m_v;
+    };
+
     //! Bound of |S_u| (0) or |S_v| (1), over the whole surface; on a cone as far as |v|.
     [[nodiscard]] double speed(int direction, double v) const;
 
@@ -83,6 +97,9 @@ private:
     void prepare_spline();
     [[nodiscard]] double derivative_bound(int direction) const;
     [[nodiscard]] Eigen::Vector4d homogeneous(double u, double v, const Cell &cell) const;
+    //! The same from the basis functions of the cell.
+    [[nodiscard]] Eigen::Vector4d combined(const double *basis_u, const double *basis_v, const Cell &cell) const;
+    [[nodiscard]] Eigen::Vector3d without_weight(const Eigen::Vector4d &point) const;
     //! Largest pole of a derivative of the numerator, relative to a centre, and of the weight on a cell.
     struct LocalSpeed
     {

@@ -191,13 +191,13 @@ private:
         const int points = points_per_degree * approximation.degree + 1;
         const double middle = 0.5 * (here.pcurve.a() + here.pcurve.b());
         const double half = 0.5 * (here.pcurve.b() - here.pcurve.a());
+        const AnalyticSurface::OnCell surface(m_proof.surface, here.cell);
         double square = 0.0;
         for (int k = 0; k < points; ++k)
         {
             const double t = middle + half * std::cos(M_PI * (k + 0.5) / points);
             const Eigen::Vector3d uv = here.pcurve.value(t);
-            square = std::max(square,
-                              (here.curve.value(t) - m_proof.surface.value(uv.x(), uv.y(), here.cell)).squaredNorm());
+            square = std::max(square, (here.curve.value(t) - surface.value(uv.x(), uv.y())).squaredNorm());
         }
         const Eigen::Vector3d &slack = here.pcurve.rounding();
         const double uv_rounding = here.speed[0] * slack.x() + here.speed[1] * slack.y();

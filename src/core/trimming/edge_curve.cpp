@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace laminate_offset
 {
@@ -228,14 +229,17 @@ EdgeCurve judged(const EdgeTarget &target, const KnotVector &knots, const RowMat
 //! How much smaller the samples' tolerance has to be after a fit that was not good enough.
 double cut(double bound, double tolerance) { return std::clamp(0.8 * tolerance / bound, 0.2, 0.7); }
 
-//! A fit that needs simple knots only.
+//! A fit whose knots follow from its errors by law: over simple knots where there are no joins.
 std::optional<EdgeCurve> smooth_curve(const EdgeTarget &target, const KnotProblem &problem,
-                                      const std::vector<double> &ends, const Eigen::Vector3d &origin, double tolerance)
+                                      const std::vector<double> &ends, const std::vector<DataBreak> &joins,
+                                      const Eigen::Vector3d &origin, double tolerance)
 {
     double at_samples = problem.tolerance;
     for (int round = 0; round < smooth_rounds; ++round)
     {
-        const std::optional<CurveFit> fit = smooth_fit({problem.sample, ends}, at_samples);
+        const SmoothCurve curve{problem.sample, ends};
+        const std::optional<CurveFit> fit =
+            joins.empty() ? smooth_fit(curve, at_samples) : joined_fit(curve, joins, at_samples);
         if (!fit)
             return std::nullopt;
         EdgeCurve result = judged(target, fit->knots, fit->poles, origin, tolerance);
@@ -286,11 +290,16 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
     for (const DataBreak &b : problem.breaks)
         ends.push_back(b.parameter);
     ends.push_back(c.last);
-    const bool kinked =
-        std::any_of(problem.breaks.begin(), problem.breaks.end(), [](const DataBreak &b) { return b.continuity < 1; });
+    std::vector<DataBreak> joins;
+    std::copy_if(problem.breaks.begin(), problem.breaks.end(), std::back_inserter(joins),
+                 [](const DataBreak &b) { return b.continuity <= 1; });
+    const bool kinked = std::any_of(joins.begin(), joins.end(), [](const DataBreak &b) { return b.continuity < 1; });
     if (!kinked)
-        if (auto smooth = smooth_curve(target, problem, ends, origin, tolerance))
+        if (auto smooth = smooth_curve(target, problem, ends, {}, origin, tolerance))
             return smooth;
+    if (!joins.empty())
+        if (auto joined = smooth_curve(target, problem, ends, joins, origin, tolerance))
+            return joined;
     return kinked_curve(target, problem, ends, origin, tolerance);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "edge_fit.h"
 
-#include "../spline/knot_choice.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -168,11 +166,83 @@ private:
     double m_tolerance;
 };
 
+constexpr int joined_degree = 5;
+constexpr int most_joined_poles = 2000;
+constexpr double fastest_split = 4.0;
+
+//! The space with so many even spans in each interval between joins.
+KnotVector joined_knots(const std::vector<double> &ends, const std::vector<DataBreak> &joins,
+                        const std::vector<int> &spans)
+{
+    std::vector<double> interior;
+    for (std::size_t i = 0; i < spans.size(); ++i)
+    {
+        for (int k = 1; k < spans[i]; ++k)
+            interior.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / spans[i]);
+        if (i < joins.size())
+            interior.insert(interior.end(), static_cast<std::size_t>(joined_degree - joins[i].continuity),
+                            joins[i].parameter);
+    }
+    return clamped_knots(joined_degree, ends.front(), ends.back(), interior);
+}
+
+//! Gives every interval that misses the tolerance more spans, by the law of its error. False where none does.
+bool split_further(const std::vector<double> &errors, double tolerance, std::vector<int> &spans)
+{
+    bool split = false;
+    for (std::size_t i = 0; i < spans.size(); ++i)
+    {
+        if (errors[i] <= tolerance)
+            continue;
+        const double law = std::pow(errors[i] / tolerance, 1.0 / (joined_degree + 1));
+        const double wanted = std::min(cautious * law, fastest_split) * spans[i];
+        spans[i] = std::max(spans[i] + 1, static_cast<int>(std::ceil(wanted)));
+        split = true;
+    }
+    return split;
+}
+
 } // namespace
 
 std::optional<CurveFit> smooth_fit(const SmoothCurve &curve, double tolerance)
 {
     return SmoothFitter(curve, tolerance).run();
+}
+
+std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<DataBreak> &joins, double tolerance)
+{
+    std::vector<double> ends{curve.breaks.front()};
+    for (const DataBreak &join : joins)
+        ends.push_back(join.parameter);
+    ends.push_back(curve.breaks.back());
+    std::vector<int> spans(ends.size() - 1, 1);
+    for (int i = 0; i < most_fits; ++i)
+    {
+        CurveFit result;
+        result.knots = joined_knots(ends, joins, spans);
+        if (result.knots.pole_count() > most_joined_poles)
+            return std::nullopt;
+        const std::vector<double> parameters =
+            span_parameters(result.knots, curve.breaks, joined_degree + 1 + spare_samples, samples_per_interval);
+        const auto solver = LeastSquaresFit::make(result.knots, parameters);
+        if (!solver)
+            return std::nullopt;
+        const RowMatrix samples = curve.sample(parameters);
+        result.poles = solver->solve(samples);
+        const Eigen::VectorXd off = solver->residual(result.poles, samples).rowwise().norm();
+        result.error = off.maxCoeff();
+        std::vector<double> errors(spans.size(), 0.0);
+        std::size_t interval = 0;
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+        {
+            while (interval + 1 < errors.size() && parameters[k] > ends[interval + 1])
+                ++interval;
+            errors[interval] = std::max(errors[interval], off[static_cast<Eigen::Index>(k)]);
+        }
+        if (!split_further(errors, tolerance, spans))
+            return result;
+    }
+    return std::nullopt;
 }
 
 } // namespace laminate_offset

@@ -8,6 +8,7 @@
 //! the count by its error.
 #pragma once
 
+#include "../spline/knot_choice.h"
 #include "../spline/least_squares.h"
 
 #include <functional>
@@ -35,5 +36,12 @@ struct CurveFit
 //! Degree 3 to 5, simple knots, ends interpolated.
 //! \return nothing where the tolerance is not reached soon: the curve is not smooth enough to be fitted like this.
 std::optional<CurveFit> smooth_fit(const SmoothCurve &curve, double tolerance);
+
+//! For a curve that is smooth between joins, where only its first derivative or not even that goes on. Joins get the
+//! multiplicity that they need, and every interval between them as many even spans as its own error asks for.
+//! Degree 5, ends interpolated.
+//! \param joins interior, increasing, of continuity below 4.
+//! \return nothing where the tolerance is not reached soon.
+std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<DataBreak> &joins, double tolerance);
 
 } // namespace laminate_offset
