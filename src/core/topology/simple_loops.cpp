@@ -8,6 +8,7 @@
 #include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -342,8 +343,14 @@ std::vector<ControlPoints> bezier_pieces(const Handle(Geom2d_Curve) & pcurve, do
         const gp_Pnt2d b = adaptor.Value(last);
         return {{Eigen::Vector3d(a.X(), a.Y(), 1.0), Eigen::Vector3d(b.X(), b.Y(), 1.0)}};
     }
-    if (!pcurve->IsPeriodic() && (first < pcurve->FirstParameter() || last > pcurve->LastParameter()))
-        return {};
+    if (!pcurve->IsPeriodic())
+    {
+        if (first < pcurve->FirstParameter() - Precision::PConfusion() ||
+            last > pcurve->LastParameter() + Precision::PConfusion())
+            return {};
+        first = std::max(first, pcurve->FirstParameter());
+        last = std::min(last, pcurve->LastParameter());
+    }
     if (type == GeomAbs_BSplineCurve && !adaptor.BSpline()->IsPeriodic())
         return pieces_between(*adaptor.BSpline(), first, last);
     const Handle(Geom2d_BSplineCurve) spline =
