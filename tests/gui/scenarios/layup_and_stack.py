@@ -50,6 +50,7 @@ def run() -> None:
     stack = make_stack(doc, base, layup)
     children(doc, stack)
     sample(doc, stack)
+    ply_book(stack)
     undo_redo_and_reopen(doc)
 
 
@@ -168,6 +169,26 @@ def sample(doc, stack) -> None:
     press(BUTTON.Ok)
     (core,) = [obj for obj in doc.Objects if obj.Name.startswith("CoreSample")]
     assert core.PlyCount == 6 and abs(core.Shape.Length - 0.91) < 1e-6
+
+
+def ply_book(stack) -> None:
+    """Through the command and the file dialog."""
+    path = os.path.join(OUT, "book.html")
+
+    def save() -> None:
+        dialog = QtGui.QApplication.activeModalWidget()
+        QTest.keyClicks(dialog.findChild(QtGui.QLineEdit, "fileNameEdit"), path)
+        dialog.accept()
+
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(stack.Document.Name, stack.Name)
+    pump(200)
+    QtCore.QTimer.singleShot(1500, save)
+    run_command("LaminateOffset_ExportPlyBook")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    assert "PlyStack" in text and text.count("<img") >= 6, text[:300]
+    Gui.Selection.clearSelection()
 
 
 def undo_redo_and_reopen(doc) -> None:

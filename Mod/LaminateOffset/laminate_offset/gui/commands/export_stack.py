@@ -6,8 +6,10 @@ from typing import Any
 
 import FreeCAD as App
 
+from ...export.book import export_ply_book
 from ...features import progress
 from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of
+from ...replacing import FileError
 from ..texts import translate
 from .base import Command, selected_of
 
@@ -44,7 +46,9 @@ class ExportStackCommand(Command):
         path = str(path) if os.path.splitext(path)[1] else f"{path}{ending}"
         try:
             self.create(stack, path)
-        except (RuntimeError, ValueError, OSError) as error:
+        except KeyboardInterrupt:
+            return  # the user has cancelled; nothing was written
+        except (FileError, RuntimeError, ValueError, OSError) as error:
             QtGui.QMessageBox.critical(FreeCADGui.getMainWindow(), title, str(error))
 
     @staticmethod
@@ -60,8 +64,14 @@ class ExportStackCommand(Command):
     @staticmethod
     def create(stack: Any, path: str) -> None:
         """Writes a stack object; the ending of the path decides what is written. Raises FileError or OffsetError."""
-        result, solids = result_of(stack), bool(stack.Solids)
-        progress.run(stack.Label, lambda _report: result.export(path, solids=solids))
+        result, title, solids = result_of(stack), stack.Label, bool(stack.Solids)
+        ending = os.path.splitext(path)[1].lower()
+        if ending in (".html", ".htm"):
+            progress.run(title, lambda report: export_ply_book(result, path, title, progress=report))
+        elif ending == ".fcstd":
+            result.export(path, solids=solids)  # makes a document, which belongs to this thread
+        else:
+            progress.run(title, lambda _report: result.export(path, solids=solids))
 
     @staticmethod
     def _selected() -> Any:
