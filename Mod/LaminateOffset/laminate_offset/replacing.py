@@ -56,4 +56,8 @@ def _lives(process: int) -> bool:
         return False
     except (PermissionError, OverflowError):
         return True
-    return True
+    try:  # one that has ended but that its parent has not asked about yet is a zombie
+        with open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as stream:
+            return stream.read().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return True
