@@ -103,7 +103,7 @@ py::tuple stack_plies_for_python(const py::object &shape, const std::vector<PlyT
         made.append(py::make_tuple(to_part(ply.region, selected_exchange()), surface_for_python(ply.bottom), between,
                                    surface_for_python(ply.top)));
     }
-    return py::make_tuple(made, result.value().elapsed);
+    return py::make_tuple(made, result.value().inset_error, result.value().elapsed);
 }
 
 } // namespace
@@ -117,7 +117,8 @@ void bind_ply_stack(py::module_ &module)
                py::arg("ratio") = defaults.ratio, py::arg("ramp_length") = py::none(),
                py::arg("middle") = defaults.middle, py::arg("progress") = py::none(),
                "Lays plies that may cover parts of one Part.Face; lengths in mm. Returns, for each ply, its region and "
-               "(shape, report, over a ramp) of its bottom, middle or None, and top; and the time in ms; or raises "
+               "(shape, report, over a ramp) of its bottom, middle or None, and top; the largest error seen of an "
+               "inset; and the time in ms; or raises "
                "OffsetError, ValueError or TypeError.");
 }
 

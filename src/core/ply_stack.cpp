@@ -6,6 +6,7 @@
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
 #include "report/face_report.h"
+#include "stack/boundary_inset.h"
 #include "stack/boundary_sides.h"
 #include "stack/ply_levels.h"
 #include "topology/build_face.h"
@@ -28,6 +29,8 @@ namespace
 
 constexpr double least_ratio = 1.0;
 constexpr double most_ratio = 1000.0;
+// Of the tolerance: how near an image has to be to its curve so that its direction is right as well.
+constexpr double direction_share = 0.02;
 
 Failure option_refusal(std::string message)
 {
@@ -58,8 +61,9 @@ Result<bool> checked(const std::vector<PlySpec> &plies, const std::vector<PlyBou
             return option_refusal("A ply names a boundary that is not there; give all boundaries.");
         else if (!(ply.inset >= 0.0 && std::isfinite(ply.inset)) || (ply.inset > 0.0 && !ply.boundary))
             return option_refusal("An inset must be a finite number of mm, zero or more, of a ply with a boundary.");
-        else if (ply.inset > 0.0)
-            return option_refusal("Insets from a boundary are not made yet; give a boundary of its own to every ply.");
+        else if (ply.inset > 0.0 && boundaries[*ply.boundary].side == PlySide::Nearest)
+            return option_refusal(
+                "An inset needs a boundary with a side: inside, outside, left or right, not a point.");
     if (std::abs(options.direction) != 1.0)
         return option_refusal("The direction must be 1 (along the face's outward normal) or -1 (against it).");
     if (!std::isfinite(options.start))
@@ -82,7 +86,9 @@ public:
     {
     }
 
-    Result<PlyRegion> region() const
+    //! \param inset how far the ply's edge keeps inside of the boundary [mm].
+    //! \param inset_error becomes the larger of itself and what was seen of the moved curves' error [mm].
+    Result<PlyRegion> region(double inset, double &inset_error) const
     {
         const std::vector<TopoDS_Wire> wires = boundary_wires(m_boundary.shape);
         if (wires.empty())
@@ -93,10 +99,21 @@ public:
         std::vector<BoundaryImage> images;
         for (std::size_t k = 0; k < wires.size(); ++k)
         {
-            const Result<CurveProjection> image = project_curve(m_face, wires[k], {m_tolerance, Outside::Clip});
-            if (!image)
-                return image.failure();
-            images.push_back({image.value().wire.Located(TopLoc_Location()), left.value()[k]});
+            // the directions across an image count where it is moved
+            const double near = inset > 0.0 ? direction_share * m_tolerance : m_tolerance;
+            const Result<CurveProjection> projection = project_curve(m_face, wires[k], {near, Outside::Clip});
+            if (!projection)
+                return projection.failure();
+            BoundaryImage image{projection.value().wire.Located(TopLoc_Location()), left.value()[k]};
+            if (inset > 0.0)
+            {
+                const Result<BoundaryInset> moved = inset_boundary(m_input, image, inset, m_tolerance);
+                if (!moved)
+                    return moved.failure();
+                image = moved.value().image;
+                inset_error = std::max(inset_error, moved.value().error);
+            }
+            images.push_back(std::move(image));
         }
         if (m_boundary.side == PlySide::Nearest)
             return cut_region(m_input, images,
@@ -164,32 +181,43 @@ private:
         return options;
     }
 
-    //! The region of every boundary, and last that of the whole face.
-    Result<std::vector<PlyRegion>> all_regions(const InputFace &input) const
+    //! One region for every boundary and inset that a ply has.
+    Result<std::vector<PlyRegion>> all_regions(const InputFace &input)
     {
         std::vector<PlyRegion> regions;
-        for (const PlyBoundary &boundary : m_boundaries)
+        std::vector<std::pair<std::size_t, double>> known;
+        for (const PlySpec &ply : m_plies)
         {
-            Result<PlyRegion> region = BoundaryOnFace(m_face, input, boundary, m_options.tolerance).region();
+            const auto key = std::make_pair(ply.boundary.value_or(m_boundaries.size()), ply.inset);
+            const auto at = std::find(known.begin(), known.end(), key);
+            m_region_of.push_back(static_cast<std::size_t>(at - known.begin()));
+            if (at != known.end())
+                continue;
+            known.push_back(key);
+            if (!ply.boundary)
+            {
+                regions.push_back(whole_region(input));
+                continue;
+            }
+            const PlyBoundary &boundary = m_boundaries[*ply.boundary];
+            Result<PlyRegion> region =
+                BoundaryOnFace(m_face, input, boundary, m_options.tolerance).region(ply.inset, m_inset_error);
             if (!region)
                 return about(boundary, region.failure());
             region.value().name = boundary.name;
             regions.push_back(std::move(region).value());
         }
-        regions.push_back(whole_region(input));
         return regions;
     }
-
-    [[nodiscard]] std::size_t region_of(const PlySpec &ply) const { return ply.boundary.value_or(m_boundaries.size()); }
 
     [[nodiscard]] Stacking stacking(const InputFace &input) const
     {
         Stacking result;
         result.start = input.from_surface(m_options.start);
         result.middle = m_options.middle;
-        for (const PlySpec &ply : m_plies)
-            result.plies.push_back({input.normal_sign * m_options.direction * ply.thickness, region_of(ply),
-                                    m_options.ramp_length.value_or(m_options.ratio * ply.thickness)});
+        for (std::size_t k = 0; k < m_plies.size(); ++k)
+            result.plies.push_back({input.normal_sign * m_options.direction * m_plies[k].thickness, m_region_of[k],
+                                    m_options.ramp_length.value_or(m_options.ratio * m_plies[k].thickness)});
         return result;
     }
 
@@ -205,7 +233,7 @@ private:
             if (cancelled)
                 return;
             const std::size_t ply = i / each;
-            made[i] = face_of(regions[region_of(m_plies[ply])], levels, levels.of(ply, i % each, m_options.middle));
+            made[i] = face_of(regions, m_region_of[ply], levels, levels.of(ply, i % each, m_options.middle));
             const double fraction = 0.7 + 0.3 * static_cast<double>(++done) / static_cast<double>(made.size());
             const std::lock_guard lock(guard);
             if (m_options.progress && !m_options.progress(fraction))
@@ -216,13 +244,14 @@ private:
                            "The computation was cancelled while the plies' faces were made.", std::nullopt,
                            std::nullopt};
         PlyStackResult result;
+        result.inset_error = m_inset_error;
         for (std::size_t i = 0; i < made.size(); ++i)
             if (!made[i]->ok())
                 return made[i]->failure();
         for (std::size_t k = 0; k < m_plies.size(); ++k)
         {
             const auto surface = [&](std::size_t which) { return made[each * k + which]->value(); };
-            StackedPly ply{located(regions[region_of(m_plies[k])].input), surface(0), std::nullopt, surface(each - 1)};
+            StackedPly ply{located(regions[m_region_of[k]].input), surface(0), std::nullopt, surface(each - 1)};
             if (m_options.middle)
                 ply.middle = surface(1);
             result.plies.push_back(std::move(ply));
@@ -238,9 +267,18 @@ private:
         return TopoDS::Face(face);
     }
 
-    [[nodiscard]] Result<PlySurface> face_of(const PlyRegion &region, const PlyLevels &levels,
-                                             const PlyLevel &level) const
+    //! Does the surface's distance vary on the ply itself?
+    static bool varies(const LoopRegion &inside, const PlyLevel &level)
     {
+        return level.distance && !level.distance->constant_where([&](double u0, double u1, double v0, double v1) {
+            return inside.may_touch({u0, u1, v0, v1});
+        });
+    }
+
+    [[nodiscard]] Result<PlySurface> face_of(const std::vector<PlyRegion> &regions, std::size_t which,
+                                             const PlyLevels &levels, const PlyLevel &level) const
+    {
+        const PlyRegion &region = regions[which];
         try
         {
             const Result<TrimLoops> loops =
@@ -258,7 +296,7 @@ private:
             options.distance = region.input.from_face(level.nominal);
             return PlySurface{
                 {face.value(), face_report(region.input, levels.analysis, level.surface, loops.value(), options)},
-                level.distance.has_value()};
+                varies(levels.inside[which], level)};
         }
         catch (const Standard_Failure &error)
         {
@@ -270,6 +308,8 @@ private:
     const std::vector<PlySpec> &m_plies;
     const std::vector<PlyBoundary> &m_boundaries;
     const PlyStackOptions &m_options;
+    std::vector<std::size_t> m_region_of; //!< of each ply
+    double m_inset_error = 0.0;
 };
 
 } // namespace

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plies with boundaries: the parts that they cover, the plies above that come down over ramps, and what is refused."""
 
+import json
+from pathlib import Path
+
 import FreeCAD
 import numpy
 import Part
@@ -8,6 +11,7 @@ import pytest
 
 import laminate_offset as lo
 import sample_shapes
+from laminate_offset import cli, files
 
 RAMP = FreeCAD.Units.Quantity("60 mm")
 
@@ -116,3 +120,63 @@ def test_a_layup_without_boundaries_goes_the_usual_way() -> None:
     assert plain.report["one_fit"] and given.report["one_fit"]
     assert given.report["partial_plies"] == 0
     assert plain.plies[0].base_face.isSame(face) and not plain.plies[0].over_ramp
+
+
+def test_successive_plies_keep_inside_of_their_boundary() -> None:
+    face = plate()
+    given = {"patch": disc(0, 0, 90), "other": disc(0, 0, 70)}
+    stack = lo.stack_plies(
+        face, layup("patch", "patch", "other", "patch", ""), boundaries=given, stagger={"patch": [0, 10, 25]}, drop_off=RAMP
+    )
+    radii = [numpy.sqrt(ply.base_face.Area / numpy.pi) for ply in stack.plies[:4]]
+    assert radii == pytest.approx([90, 80, 70, 65], rel=0.02)
+    assert 0.0 < stack.report["inset_error"] <= 1e-3
+    lengths = [FreeCAD.Units.Quantity("1 cm"), 0]
+    moved = lo.stack_plies(face, layup("patch", "patch"), boundaries=given, stagger=lengths, drop_off=RAMP)
+    assert moved.plies[0].base_face.Area == pytest.approx(stack.plies[1].base_face.Area, rel=1e-6)
+    with pytest.raises(ValueError, match="2 distances for boundary 'patch', which has 3 plies"):
+        lo.stack_plies(face, layup("patch", "patch", "patch"), boundaries=given, stagger=[0, 5])
+    with pytest.raises(ValueError, match="'flap', which no ply has"):
+        lo.stack_plies(face, layup("patch"), boundaries=given, stagger={"flap": [1]})
+    with pytest.raises(lo.OffsetError, match="'patch'.*smaller distance"):
+        lo.stack_plies(face, layup("patch"), boundaries=given, stagger=[95])
+
+
+@pytest.mark.parametrize("ending", ["FCStd", "step", "brep"])
+def test_the_command_takes_boundaries_from_a_file(
+    ending: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    face, source, outlines = plate(), tmp_path / "base.brep", tmp_path / f"outlines.{ending}"
+    files.write_shape(face, str(source), "base")
+    line = Part.makeLine(FreeCAD.Vector(0, -200, 5), FreeCAD.Vector(0, 200, 5))
+    names = ["patch", "tip"]
+    if ending == "brep":
+        names = ["1", "2"]
+        Part.makeCompound([disc(-50, 0, 60), Part.Wire([line])]).exportBrep(str(outlines))
+    else:
+        document = FreeCAD.newDocument("Outlines")
+        for name, shape in zip(names, [disc(-50, 0, 60), line]):
+            document.addObject("Part::Feature", name.capitalize()).Shape = shape
+            document.Objects[-1].Label = name
+        if ending == "step":
+            import Import
+
+            Import.export(document.Objects, str(outlines))
+        else:
+            document.saveAs(str(outlines))
+        FreeCAD.closeDocument(document.Name)
+    table, output, report = tmp_path / "layup.csv", tmp_path / "plies.brep", tmp_path / "plies.json"
+    rows = [("P1", names[0]), ("P2", names[1]), ("P3", names[1]), ("P4", "")]
+    lines = "".join(f"{ply},tape,0.5,0,{boundary}\n" for ply, boundary in rows)
+    table.write_text("ply,material,thickness_mm,angle_deg,boundary\n" + lines, encoding="utf-8")
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(output), "--report", str(report)]
+    ramps = ["--drop-off", "60mm"]
+    asked = ["--boundaries", str(outlines), "--side", f"{names[1]}=left", "--stagger", f"{names[1]}=0,20"]
+    assert cli.main(arguments + ramps + asked) == 0, capfd.readouterr().err
+    values = json.loads(report.read_text(encoding="utf-8"))
+    assert values["partial_plies"] == 3 and len(files.read_faces(str(output))) == 4
+    capfd.readouterr()
+    assert cli.main(arguments + ramps) == 2
+    assert "boundary" in capfd.readouterr().err
+    assert cli.main(arguments + asked + ["--side", "flap=left"]) == 2
+    assert "flap" in capfd.readouterr().err

@@ -6,6 +6,7 @@
 
 #include <laminate_offset/ply_stack.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -19,6 +20,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <IntTools_FClass2d.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
@@ -195,7 +197,7 @@ TEST(PlyStack, APatchLiesUnderARampOfThePlyAbove)
             EXPECT_LE(seen.sideways, options.tolerance);
             EXPECT_LE(seen.crossing, 2.0 * options.tolerance);
             EXPECT_TRUE(made.value().plies[2].bottom.over_ramp);
-            EXPECT_FALSE(made.value().plies[1].bottom.over_ramp);
+            EXPECT_FALSE(made.value().plies[1].bottom.over_ramp || made.value().plies[1].top.over_ramp);
             // the ramp: nothing left where it ends, all of the patch where it begins, never up and down
             Judge base(face), above(made.value().plies[2].bottom.result.face());
             double u0, u1, v0, v1;
@@ -354,4 +356,149 @@ TEST(PlyStack, RefusalsNameTheBoundaryAndTheRemedy)
     EXPECT_FALSE(stack_plies(face, {}, {}, options_of(50.0)));
     EXPECT_FALSE(stack_plies(face, {{-1.0, {}, 0.0}}, {}, options_of(50.0)));
     EXPECT_FALSE(stack_plies(face, {{1.0, 3, 0.0}}, {}, options_of(50.0)));
+}
+
+namespace
+{
+
+//! The region's edges that are not the whole face's, as points: those that keep away from its border.
+std::vector<gp_Pnt> inner_edge_points(const TopoDS_Face &region, const gp_Pnt &centre, double most)
+{
+    std::vector<gp_Pnt> points;
+    for (TopExp_Explorer it(region, TopAbs_EDGE); it.More(); it.Next())
+    {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+        for (int i = 0; i <= 60; ++i)
+        {
+            const gp_Pnt p =
+                curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / 60);
+            if (p.Distance(centre) < most)
+                points.push_back(p);
+        }
+    }
+    return points;
+}
+
+TopoDS_Wire polygon(const std::vector<gp_Pnt> &corners)
+{
+    BRepBuilderAPI_MakeWire wire;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        wire.Add(BRepBuilderAPI_MakeEdge(corners[i], corners[(i + 1) % corners.size()]));
+    return wire;
+}
+
+} // namespace
+
+TEST(PlyStack, InsetsKeepTheirDistanceInTheSurface)
+{
+    // on a sphere a parallel of a circle about a point is a circle about it, known in closed form
+    const double radius = 300.0;
+    const TopoDS_Face face = sphere_patch(radius);
+    Judge base(face);
+    double u0, u1, v0, v1;
+    BRepTools::UVBounds(face, u0, u1, v0, v1);
+    const gp_Pnt2d middle(0.5 * (u0 + u1), 0.5 * (v0 + v1));
+    const gp_Vec axis = base.normal(middle);
+    const double angle = 0.2; // of the circle about the axis
+    const gp_Pnt centre = gp_Pnt(0, 0, 0).Translated(radius * std::cos(angle) * axis);
+    const TopoDS_Wire around = BRepBuilderAPI_MakeWire(
+        BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(centre, gp_Dir(axis)), radius * std::sin(angle))));
+    for (const PlySide side : {PlySide::Inside, PlySide::Outside})
+        for (const double inset : {0.5, 5.0, 20.0})
+        {
+            const auto made = stack_plies(face, {{0.5, 0, inset}}, {{"b", around, side, {}}}, options_of(50.0));
+            ASSERT_TRUE(made) << why(made);
+            const double expected = radius * angle + (side == PlySide::Inside ? -inset : inset);
+            const auto points = inner_edge_points(made.value().plies[0].region, base.point(middle), 90.0);
+            EXPECT_GT(points.size(), 20U);
+            for (const gp_Pnt &p : points)
+                EXPECT_NEAR(radius * gp_Vec(gp_Pnt(0, 0, 0), p).Angle(axis), expected, 2e-3);
+            EXPECT_LE(made.value().inset_error, 1e-3);
+            EXPECT_TRUE(BRepCheck_Analyzer(made.value().plies[0].top.result.face()).IsValid());
+        }
+}
+
+TEST(PlyStack, InsetsOfCornersAreCutOrRounded)
+{
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -200.0, 200.0, -200.0, 200.0);
+    const std::vector<gp_Pnt> ell{{-100, -100, 0}, {100, -100, 0}, {100, 0, 0}, {0, 0, 0}, {0, 100, 0}, {-100, 100, 0}};
+    const auto area = [&](double inset, PlySide side) {
+        const auto made = stack_plies(plane, {{0.5, 0, inset}}, {{"b", polygon(ell), side, {}}}, options_of(50.0));
+        EXPECT_TRUE(made) << why(made);
+        return made ? area_of(made.value().plies[0].region) : 0.0;
+    };
+    // inwards: five corners are cut, the sixth is rounded
+    const double d = 12.0;
+    const double straight = 30000.0 - 800.0 * d + 4.0 * d * d; // with square corners everywhere
+    EXPECT_NEAR(area(d, PlySide::Inside), straight + (1.0 - 0.25 * M_PI) * d * d, 1.0);
+    // outwards: five corners are rounded, the sixth is cut
+    const double outer = 30000.0 + 800.0 * d + 4.0 * d * d - 5.0 * (1.0 - 0.25 * M_PI) * d * d;
+    EXPECT_NEAR(area(d, PlySide::Outside), 160000.0 - outer, 1.0);
+}
+
+TEST(PlyStack, InsetsOfOpenCurvesReachTheFacesEdges)
+{
+    const TopoDS_Face face = panel(); // 400 x 300
+    const auto across = line(gp_Pnt(20.0, -200.0, 0.0), gp_Pnt(60.0, 200.0, 0.0));
+    double before = area_of(face);
+    for (const double inset : {0.0, 10.0, 25.0, 60.0})
+    {
+        const auto made = stack_plies(face, {{0.5, 0, inset}}, {{"b", across, PlySide::Left, {}}}, options_of(50.0));
+        ASSERT_TRUE(made) << why(made);
+        const double here = area_of(made.value().plies[0].region);
+        EXPECT_LT(here, before);
+        EXPECT_GT(here, 0.1 * area_of(face));
+        before = here;
+    }
+}
+
+TEST(PlyStack, InsetsThatFoldOrCrossAreRefused)
+{
+    const TopoDS_Face face = panel();
+    const auto refused = [&](const TopoDS_Shape &shape, double inset, PlySide side = PlySide::Inside) {
+        const auto made = stack_plies(face, {{0.5, 0, inset}}, {{"b", shape, side, {}}}, options_of(50.0));
+        EXPECT_FALSE(made);
+        return made ? Failure{} : made.failure();
+    };
+    const Failure folded = refused(circle(0.0, 0.0, 40.0), 45.0);
+    EXPECT_EQ(folded.status, Status::NotSupported);
+    EXPECT_NE(folded.message.find("smaller distance"), std::string::npos) << folded.message;
+    // a dumbbell whose waist is narrower than twice the distance
+    const Failure crossed = refused(polygon({{-100, -60, 0},
+                                             {-40, -60, 0},
+                                             {-40, -10, 0},
+                                             {40, -10, 0},
+                                             {40, -60, 0},
+                                             {100, -60, 0},
+                                             {100, 60, 0},
+                                             {40, 60, 0},
+                                             {40, 10, 0},
+                                             {-40, 10, 0},
+                                             {-40, 60, 0},
+                                             {-100, 60, 0}}),
+                                    15.0);
+    EXPECT_EQ(crossed.status, Status::NotSupported) << crossed.message;
+    EXPECT_EQ(refused(circle(0.0, 0.0, 40.0), -1.0).status, Status::InvalidOption);
+    EXPECT_EQ(refused(circle(0.0, 0.0, 40.0), 5.0, PlySide::Nearest).status, Status::InvalidOption);
+}
+
+TEST(PlyStack, AStaggeredDropOffNeverCrosses)
+{
+    const TopoDS_Face face = panel();
+    const std::vector<PlyBoundary> boundaries{
+        {"edge", line(gp_Pnt(30, -200, 0), gp_Pnt(30, 200, 0)), PlySide::Left, {}}};
+    std::vector<PlySpec> plies{{0.5, {}, 0.0}};
+    for (int i = 0; i < 5; ++i)
+        plies.push_back({0.5, 0, 12.0 * i});
+    plies.push_back({0.5, {}, 0.0});
+    PlyStackOptions options;
+    const auto made = stack_plies(face, plies, boundaries, options); // ramps of 1:20
+    ASSERT_TRUE(made) << why(made);
+    expect_proven(made.value(), options.tolerance);
+    const Seen seen = look_through(face, plies, made.value(), 1.0);
+    EXPECT_GT(seen.present, 15000);
+    EXPECT_GT(seen.absent, 5000);
+    EXPECT_LE(seen.thickness, 2.0 * options.tolerance);
+    EXPECT_LE(seen.crossing, 2.0 * options.tolerance);
+    EXPECT_LE(seen.sideways, options.tolerance);
 }

@@ -72,7 +72,7 @@ def lay_partial_plies(
     """The stack of plies of which some have boundaries."""
     names = list(boundaries)
     ratio, ramp_length = drop_off_of(how.drop_off)
-    made, elapsed = _core.stack_plies(
+    made, inset_error, elapsed = _core.stack_plies(
         face,
         [
             (ply.thickness, names.index(ply.ply.boundary) if ply.ply.boundary else None, inset)
@@ -95,4 +95,5 @@ def lay_partial_plies(
         reports += [OffsetReport(one[1]) for one in (bottom, middle, top) if one]
         laid = PartialStackPly(ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, whole_face=face)
         stacked.append(laid)
-    return PartialPlyStack(layup, stacked, stack_report(layup, plies, reports, False, elapsed), face)
+    report = {**stack_report(layup, plies, reports, False, elapsed), "inset_error": inset_error}
+    return PartialPlyStack(layup, stacked, report, face)

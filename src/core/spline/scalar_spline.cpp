@@ -45,13 +45,15 @@ KnotVector snapped(KnotVector kv, const KnotVector &fine)
     return kv;
 }
 
-//! Weights are positive and add up to 1 but for rounding: equal numbers are kept as they are.
+//! Weights are not negative and add up to 1 but for rounding. Equal numbers, and a single one that counts, are kept as
+//! they are: the sum is taken from the number of the largest weight.
 double mean(const double *weights, const double *values, std::ptrdiff_t step, int count)
 {
+    const std::ptrdiff_t main = std::max_element(weights, weights + count) - weights;
     double total = 0.0;
     for (int i = 0; i < count; ++i)
-        total += weights[i] * (values[i * step] - values[0]);
-    return values[0] + total;
+        total += weights[i] * (values[i * step] - values[main * step]);
+    return values[main * step] + total;
 }
 
 ScalarSpline refined(const ScalarSpline &spline, const KnotVector &u, const KnotVector &v)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -43,8 +44,6 @@ public:
                const OffsetOptions &options)
         : m_input(input), m_stacking(stacking), m_regions(regions), m_options(options)
     {
-        for (const PlyRegion &region : regions)
-            m_inside.emplace_back(region.input);
     }
 
     Result<PlyLevels> run()
@@ -58,6 +57,8 @@ public:
         Result<SurfaceAnalysis> analysis = analysed(farthest);
         if (!analysis)
             return analysis.failure();
+        for (std::size_t k = 0; k < m_regions.size(); ++k)
+            m_inside.push_back(fine_region(analysis.value().base, m_regions[k], shortest_ramp()));
         for (Recipe &recipe : m_recipes)
             if (const Result<bool> ok = resolve(recipe, analysis.value().base); !ok)
                 return ok.failure();
@@ -67,7 +68,7 @@ public:
             varies ? with_ramps(analysis.value()) : all_constant(analysis.value());
         if (!surfaces)
             return surfaces.failure();
-        PlyLevels levels{std::move(analysis).value(), {}, {}};
+        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside};
         const std::size_t between = m_stacking.plies.size() + 1;
         for (std::size_t i = 0; i < m_recipes.size(); ++i)
             (i < between ? levels.between : levels.middle)
@@ -118,6 +119,14 @@ private:
                            "The face has a crease; lay plies with boundaries on its parts one by one.",
                            analysis.failure().where, std::nullopt};
         return analysis;
+    }
+
+    [[nodiscard]] double shortest_ramp() const
+    {
+        double shortest = std::numeric_limits<double>::max();
+        for (const LaidPly &ply : m_stacking.plies)
+            shortest = std::min(shortest, ply.ramp);
+        return shortest;
     }
 
     [[nodiscard]] bool whole(std::size_t region) const { return m_regions[region].cuts.empty(); }

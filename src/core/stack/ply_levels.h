@@ -40,9 +40,10 @@ struct PlyLevel
 
 struct PlyLevels
 {
-    SurfaceAnalysis analysis;      //!< of the whole face
-    std::vector<PlyLevel> between; //!< below the first ply, between each two, above the last
-    std::vector<PlyLevel> middle;  //!< one for each ply, where asked for
+    SurfaceAnalysis analysis;       //!< of the whole face
+    std::vector<PlyLevel> between;  //!< below the first ply, between each two, above the last
+    std::vector<PlyLevel> middle;   //!< one for each ply, where asked for
+    std::vector<LoopRegion> inside; //!< of each region, its edges in short pieces
 
     //! The bottom (0) and the top (1) of a ply, or bottom (0), middle (1) and top (2).
     [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "ply_ramp.h"
 
-#include "../analysis/loop_region.h"
 #include "../input/pcurve_pieces.h"
 
 #include <fmt/format.h>
@@ -323,29 +322,6 @@ private:
     std::unordered_map<std::size_t, std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>> m_cells;
 };
 
-//! The region with its cut edges in pieces short enough for the ramp: a span next to a long piece's box would count as
-//! touched.
-LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length)
-{
-    InputFace fine = region.input;
-    for (const auto &[loop, place] : region.cuts)
-    {
-        TrimmingCurve &curve = fine.loops[loop].curves[place];
-        const double wanted = pieces_per_ramp * length_of(base, curve) / length;
-        const double parts =
-            std::clamp(std::ceil(wanted / static_cast<double>(curve.pieces.size())), 1.0, most_samples);
-        const double width = (curve.last - curve.first) / parts;
-        curve.pieces.clear();
-        for (int i = 0; i < static_cast<int>(parts); ++i)
-        {
-            const double to = i + 1 == static_cast<int>(parts) ? curve.last : curve.first + width * (i + 1);
-            const std::vector<PcurvePiece> cut = cut_up(curve.pcurve, curve.first + width * i, to);
-            curve.pieces.insert(curve.pieces.end(), cut.begin(), cut.end());
-        }
-    }
-    return LoopRegion(fine);
-}
-
 //! Poles from distances at the knots.
 class ShareMaker
 {
@@ -435,6 +411,27 @@ private:
 };
 
 } // namespace
+
+LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length)
+{
+    InputFace fine = region.input;
+    for (const auto &[loop, place] : region.cuts)
+    {
+        TrimmingCurve &curve = fine.loops[loop].curves[place];
+        const double wanted = pieces_per_ramp * length_of(base, curve) / length;
+        const double parts =
+            std::clamp(std::ceil(wanted / static_cast<double>(curve.pieces.size())), 1.0, most_samples);
+        const double width = (curve.last - curve.first) / parts;
+        curve.pieces.clear();
+        for (int i = 0; i < static_cast<int>(parts); ++i)
+        {
+            const double to = i + 1 == static_cast<int>(parts) ? curve.last : curve.first + width * (i + 1);
+            const std::vector<PcurvePiece> cut = cut_up(curve.pcurve, curve.first + width * i, to);
+            curve.pieces.insert(curve.pieces.end(), cut.begin(), cut.end());
+        }
+    }
+    return LoopRegion(fine);
+}
 
 Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region, double length, int most_poles)
 {

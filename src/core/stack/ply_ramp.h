@@ -13,6 +13,7 @@
 #include "ply_region.h"
 
 #include "../analysis/base_surface.h"
+#include "../analysis/loop_region.h"
 #include "../spline/scalar_spline.h"
 
 namespace laminate_offset
@@ -23,5 +24,9 @@ namespace laminate_offset
 //! \param most_poles a share of more poles is refused.
 //! Refusal at Stage::Surface: NotSupported, with the ramp that would be long enough.
 Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region, double length, int most_poles);
+
+//! The inside of a region whose cut edges are in pieces short enough for ramps of a length [mm]: a span next to a long
+//! piece's box would count as touched.
+LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length);
 
 } // namespace laminate_offset
