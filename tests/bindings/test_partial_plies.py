@@ -126,7 +126,11 @@ def test_successive_plies_keep_inside_of_their_boundary() -> None:
     face = plate()
     given = {"patch": disc(0, 0, 90), "other": disc(0, 0, 70)}
     stack = lo.stack_plies(
-        face, layup("patch", "patch", "other", "patch", ""), boundaries=given, stagger={"patch": [0, 10, 25]}, drop_off=RAMP
+        face,
+        layup("patch", "patch", "other", "patch", ""),
+        boundaries=given,
+        stagger={"patch": [0, 10, 25]},
+        drop_off=RAMP,
     )
     radii = [numpy.sqrt(ply.base_face.Area / numpy.pi) for ply in stack.plies[:4]]
     assert radii == pytest.approx([90, 80, 70, 65], rel=0.02)
@@ -150,21 +154,16 @@ def test_the_command_takes_boundaries_from_a_file(
     files.write_shape(face, str(source), "base")
     line = Part.makeLine(FreeCAD.Vector(0, -200, 5), FreeCAD.Vector(0, 200, 5))
     names = ["patch", "tip"]
-    if ending == "brep":
-        names = ["1", "2"]
-        Part.makeCompound([disc(-50, 0, 60), Part.Wire([line])]).exportBrep(str(outlines))
-    else:
+    if ending == "FCStd":
         document = FreeCAD.newDocument("Outlines")
         for name, shape in zip(names, [disc(-50, 0, 60), line]):
             document.addObject("Part::Feature", name.capitalize()).Shape = shape
             document.Objects[-1].Label = name
-        if ending == "step":
-            import Import
-
-            Import.export(document.Objects, str(outlines))
-        else:
-            document.saveAs(str(outlines))
+        document.saveAs(str(outlines))
         FreeCAD.closeDocument(document.Name)
+    else:
+        names = ["1", "2"]
+        files.write_shape(Part.makeCompound([disc(-50, 0, 60), Part.Wire([line])]), str(outlines), "outlines")
     table, output, report = tmp_path / "layup.csv", tmp_path / "plies.brep", tmp_path / "plies.json"
     rows = [("P1", names[0]), ("P2", names[1]), ("P3", names[1]), ("P4", "")]
     lines = "".join(f"{ply},tape,0.5,0,{boundary}\n" for ply, boundary in rows)

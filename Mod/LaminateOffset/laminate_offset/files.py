@@ -6,7 +6,7 @@ import os
 import tempfile
 import zipfile
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, List, Mapping, Optional, Set
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Set
 from xml.etree.ElementTree import iterparse
 
 import FreeCAD
@@ -55,6 +55,27 @@ def read_faces(path: str) -> List["Part.Face"]:
         of_what = "visible Part feature with faces" if file_format == "FCStd" else "face"
         raise FileError(f"{path}: it was read as {file_format} but holds no {of_what}.")
     return faces
+
+
+def read_named_shapes(path: str) -> Dict[str, "Part.Shape"]:
+    """The curves and faces of a file by their names: of an FCStd file the objects by their labels, of any other one the
+    wires by their numbers from 1 ("1", "2", ...). Raises FileError.
+    """
+    file_format = format_of(path)
+    if not os.path.isfile(path):
+        raise FileError(f"{path}: there is no such file.")
+    try:
+        if file_format == "FCStd":
+            shapes = _labelled_shapes(lambda: FreeCAD.openDocument(path, True))
+        else:
+            read = _read_shape(path)
+            wires = read.Wires or [Part.Wire(edges) for edges in Part.sortEdges(read.Edges)]
+            shapes = {str(number): wire for number, wire in enumerate(wires, start=1)}
+    except Exception as error:  # the readers' own exceptions share no base class
+        raise FileError(f"{path}: could not be read as {file_format}: {_reason(error)}") from error
+    if not shapes:
+        raise FileError(f"{path}: it was read as {file_format} but holds no curve.")
+    return shapes
 
 
 def write_shape(shape: "Part.Shape", path: str, label: str) -> None:
@@ -114,6 +135,15 @@ def _read_document(path: str) -> List["Part.Shape"]:
         if lost:
             raise FileError(f"{', '.join(sorted(lost))} need a workbench that this FreeCAD cannot load")
         return [_placed_shape(feature) for feature in document.Objects if _is_shown(feature)]
+
+
+def _labelled_shapes(make: Callable[[], Any]) -> Dict[str, "Part.Shape"]:
+    with closing_document(make) as document:
+        return {
+            feature.Label: _placed_shape(feature)
+            for feature in document.Objects
+            if feature.isDerivedFrom("Part::Feature") and feature.Shape.Edges
+        }
 
 
 def _stored_names(path: str) -> Set[str]:

@@ -17,6 +17,7 @@ from ..stack import SURFACES, PlyStack, stack_plies
 from . import CANCELLED, DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
 from .bar import Bar
+from .boundaries import add_boundaries, boundary_arguments
 from .outputs import check_results
 
 # Options that write a text about the stack, and the endings of its file.
@@ -40,6 +41,7 @@ def add_to(commands: Any) -> None:
     add("--direction", choices=("normal", "reversed"), help="side of the face to stack on (default: the layup's own)")
     add("--surface", choices=SURFACES, default="top", help="surface of each ply to write (default: %(default)s)")
     add("--solids", action="store_true", help="write every ply as a solid instead of a face")
+    add_boundaries(parser)
     add("-o", "--output", required=True, metavar="OUT", help=f"{OUTPUT_HELP}; STEP and FCStd hold names and colours")
     add("--schema", choices=SCHEMAS, default=SCHEMAS[0], help="of a STEP file (default: %(default)s)")
     add("--book", metavar="BOOK.html", help="write the ply book: figures and a picture of every ply")
@@ -52,6 +54,7 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     """Carries the command out."""
     _check_arguments(arguments)
     layup = read_layup(arguments.layup)
+    bounded = boundary_arguments(arguments)
     ((number, face),) = choose(read_faces(arguments.input), arguments.face, arguments.input)
     try:
         with Bar(1, err, "plies") as bar:
@@ -63,6 +66,7 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
                 arguments.surface,
                 progress=bar.progress_after(0),
                 solids=arguments.solids,
+                **bounded,
             )
     except OffsetError as refusal:
         print(f"laminate-offset: {refusal_line(number, refusal)}", file=err)
@@ -90,7 +94,8 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     if arguments.book is not None:
         require_matplotlib()
     texts = [getattr(arguments, option) for option in TEXTS]
-    check_results([arguments.input, arguments.layup], [arguments.output, arguments.report, *texts])
+    sources = [arguments.input, arguments.layup] + ([arguments.boundaries] if arguments.boundaries else [])
+    check_results(sources, [arguments.output, arguments.report, *texts])
 
 
 def _write(stack: PlyStack, arguments: argparse.Namespace, err: TextIO) -> None:
