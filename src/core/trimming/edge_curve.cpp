@@ -4,6 +4,7 @@
 #include "curve_breaks.h"
 #include "edge_certificate.h"
 #include "edge_fit.h"
+#include "same_knots.h"
 
 #include "../spline/knot_choice.h"
 #include "../spline/least_squares.h"
@@ -303,6 +304,20 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
     return kinked_curve(target, problem, ends, origin, tolerance);
 }
 
+//! On the knots of another curve, where that is near enough.
+std::optional<EdgeCurve> alike_curve(const EdgeTarget &target, double tolerance, const Handle(Geom_Curve) & like)
+{
+    const auto pattern = Handle(Geom_BSplineCurve)::DownCast(like);
+    if (pattern.IsNull() || !clamped(*pattern))
+        return std::nullopt;
+    const Handle(Geom_BSplineCurve) curve = through_samples(*pattern, target);
+    if (curve.IsNull())
+        return std::nullopt;
+    const Deviation deviation = target.deviation(curve, tolerance);
+    return deviation.bound <= tolerance ? std::optional<EdgeCurve>(EdgeCurve{Handle(Geom_Curve)(curve), deviation})
+                                        : std::nullopt;
+}
+
 } // namespace
 
 gp_Pnt CurveOnSurface::value(double t) const
@@ -405,10 +420,12 @@ std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance)
     return std::nullopt;
 }
 
-std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance)
+std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance, const Handle(Geom_Curve) & like)
 {
     if (std::optional<EdgeCurve> exact = exact_curve(target, tolerance))
         return exact;
+    if (std::optional<EdgeCurve> alike = alike_curve(target, tolerance, like))
+        return alike;
     return fitted_curve(target, tolerance);
 }
 

@@ -75,8 +75,10 @@ std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance)
 //! Isoparametric pcurves give an exact curve (a line, a circle, a B-spline's own isoparametric curve), all
 //! pcurves on a plane too; any other pcurve is fitted with few poles. The curve has the pcurve's
 //! parameters.
+//! \param like a curve whose knots and weights are taken where they serve; null for none.
 //! \return nothing when the tolerance [mm] cannot be reached.
-std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance);
+std::optional<EdgeCurve> edge_curve(const EdgeTarget &target, double tolerance,
+                                    const Handle(Geom_Curve) &like = nullptr);
 
 //! Largest distance seen between a curve and a pcurve's points, over samples dense in both.
 double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &on_surface);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "loop_family.h"
 
-#include "../spline/geom_values.h"
-#include "../spline/knot_choice.h"
-#include "../spline/least_squares.h"
+#include "same_knots.h"
 
 #include <Geom_BSplineCurve.hxx>
 #include <Precision.hxx>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -17,53 +17,9 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int spare_samples = 3;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Roundings of the combination of two poles, with a margin.
 constexpr double rounding_operations = 8.0;
-
-bool clamped(const Geom_BSplineCurve &curve)
-{
-    return !curve.IsPeriodic() && curve.Multiplicity(1) == curve.Degree() + 1 &&
-           curve.Multiplicity(curve.NbKnots()) == curve.Degree() + 1;
-}
-
-//! The weight function of a curve.
-double weight_at(const KnotVector &kv, const Geom_BSplineCurve &curve, double t)
-{
-    double basis[max_spline_degree + 1];
-    const int span = kv.span(t);
-    basis_values(kv, span, t, basis);
-    double sum = 0.0;
-    for (int i = 0; i <= kv.degree; ++i)
-        sum += basis[i] * curve.Weight(span - kv.degree + i + 1);
-    return sum;
-}
-
-//! A curve on the knots and weights of another one, through samples of its target.
-Handle(Geom_BSplineCurve) on_same_knots(const Geom_BSplineCurve &pattern, const EdgeTarget &target)
-{
-    const KnotVector kv = knots_of(pattern);
-    const std::vector<double> parameters = chebyshev_parameters(kv.breaks(), kv.degree + spare_samples);
-    const auto solver = LeastSquaresFit::make(kv, parameters);
-    if (!solver)
-        return {};
-    const Eigen::Vector3d origin = target.value(0.5 * (kv.front() + kv.back()));
-    RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-    {
-        const double w = pattern.IsRational() ? weight_at(kv, pattern, parameters[i]) : 1.0;
-        rows.row(static_cast<Eigen::Index>(i)) = w * (target.value(parameters[i]) - origin).transpose();
-    }
-    const RowMatrix poles = solver->solve(rows);
-    const auto curve = Handle(Geom_BSplineCurve)::DownCast(pattern.Copy());
-    for (int i = 1; i <= curve->NbPoles(); ++i)
-    {
-        const Eigen::Vector3d pole = origin + poles.row(i - 1).transpose() / pattern.Weight(i);
-        curve->SetPole(i, gp_Pnt(pole.x(), pole.y(), pole.z()));
-    }
-    return curve;
-}
 
 //! A curve over the knots of both, which can follow whatever either of them follows; nothing for rational curves.
 Handle(Geom_BSplineCurve) over_both(const Geom_BSplineCurve &a, const Geom_BSplineCurve &b)
@@ -104,7 +60,7 @@ std::optional<OffsetEdge> recast(const OffsetEdge &edge, const Handle(Geom_BSpli
         return std::nullopt;
     OffsetEdge result = edge;
     const EdgeTarget target({surface.geometry, edge.pcurve, edge.first, edge.last}, form);
-    const Handle(Geom_BSplineCurve) curve = on_same_knots(*pattern, target);
+    const Handle(Geom_BSplineCurve) curve = through_samples(*pattern, target);
     if (curve.IsNull())
         return std::nullopt;
     result.curve = curve;
@@ -159,6 +115,8 @@ bool match(OffsetEdge &low, OffsetEdge &high, const End &at_low, const End &at_h
     const auto high_curve = Handle(Geom_BSplineCurve)::DownCast(high.curve);
     if (low_curve.IsNull() || high_curve.IsNull() || !clamped(*low_curve) || !clamped(*high_curve))
         return false;
+    if (on_same_knots(*low_curve, *high_curve))
+        return true;
     if (auto recast_low = at_low.recast(low, high_curve))
     {
         low = *std::move(recast_low);
@@ -208,19 +166,31 @@ TrimLoops LoopFamily::at(double distance) const
 Result<std::optional<LoopFamily>> loop_family(const InputFace &input, const BaseSurface &base, const FamilyEnds &ends,
                                               double tolerance)
 {
-    Result<TrimLoops> low = offset_loops({input, base, ends.at_low, ends.low, tolerance});
-    if (!low)
-        return low.failure();
-    Result<TrimLoops> high = offset_loops({input, base, ends.at_high, ends.high, tolerance});
-    if (!high)
-        return high.failure();
+    // the farther end needs the more knots: what serves there serves the other end as a rule
+    const bool high_first = std::abs(ends.high) >= std::abs(ends.low);
+    const auto loops_at = [&](bool at_high, const TrimLoops *like) {
+        EdgeContext context{input, base, at_high ? ends.at_high : ends.at_low, at_high ? ends.high : ends.low,
+                            tolerance};
+        context.like = like;
+        return offset_loops(context);
+    };
+    Result<TrimLoops> first = loops_at(high_first, nullptr);
+    if (!first)
+        return first.failure();
+    Result<TrimLoops> second = loops_at(!high_first, &first.value());
+    if (!second)
+        return second.failure();
+    Result<TrimLoops> &low = high_first ? second : first;
+    Result<TrimLoops> &high = high_first ? first : second;
     const End at_low{ends.at_low, AnalyticSurface::make(ends.at_low.geometry), tolerance};
     const End at_high{ends.at_high, AnalyticSurface::make(ends.at_high.geometry), tolerance};
     LoopFamily family{std::move(low).value(), std::move(high).value(), ends.low, ends.high};
-    for (std::size_t k = 0; k < family.at_low.edges.size(); ++k)
+    std::atomic<bool> matched{true};
+    tbb::parallel_for(std::size_t{0}, family.at_low.edges.size(), [&](std::size_t k) {
         if (!match(family.at_low.edges[k], family.at_high.edges[k], at_low, at_high))
-            return std::optional<LoopFamily>();
-    return std::optional<LoopFamily>(std::move(family));
+            matched = false;
+    });
+    return matched ? std::optional<LoopFamily>(std::move(family)) : std::nullopt;
 }
 
 } // namespace laminate_offset

@@ -96,15 +96,16 @@ Handle(Geom_Curve) translated(const EdgeContext &context, const TrimmingCurve &b
 
 //! The base edge's translate on a plane, where it is as near as it has to be, else a curve of the pcurve's own.
 std::optional<EdgeCurve> curve_of(const EdgeContext &context, const TrimmingCurve &base, const EdgeTarget &target,
-                                  double tolerance)
+                                  double tolerance, const Handle(Geom_Curve) & like)
 {
     if (const Handle(Geom_Curve) curve = translated(context, base); !curve.IsNull())
         if (const Deviation deviation = target.deviation(curve, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{curve, deviation};
-    return edge_curve(target, tolerance);
+    return edge_curve(target, tolerance, like);
 }
 
-Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &base, const AnalyticSurface *form)
+Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &base, const AnalyticSurface *form,
+                               const Handle(Geom_Curve) & like)
 {
     OffsetEdge edge;
     edge.first = base.first;
@@ -124,7 +125,7 @@ Result<OffsetEdge> offset_edge(const EdgeContext &context, const TrimmingCurve &
     }
     // the other side of a seam may be moved as well
     const double left = context.tolerance - (base.seam ? simpler_share * context.tolerance : moved);
-    const std::optional<EdgeCurve> made = curve_of(context, base, target, left);
+    const std::optional<EdgeCurve> made = curve_of(context, base, target, left, like);
     if (!made)
         return refusal(
             context, Status::EdgeToleranceNotReached, base,
@@ -230,7 +231,8 @@ Result<TrimLoops> offset_loops(const EdgeContext &context)
     const std::optional<ReparametrisedEdges> reparametrised =
         context.surface.parameter_map ? std::optional<ReparametrisedEdges>(std::in_place, context, form) : std::nullopt;
     tbb::parallel_for(std::size_t{0}, uses.size(), [&](std::size_t k) {
-        made[k] = reparametrised ? reparametrised->make(*uses[k]) : offset_edge(context, *uses[k], form);
+        const Handle(Geom_Curve) like = context.like ? context.like->edges[k].curve : nullptr;
+        made[k] = reparametrised ? reparametrised->make(*uses[k]) : offset_edge(context, *uses[k], form, like);
     });
     for (std::optional<Result<OffsetEdge>> &edge : made)
     {

@@ -70,6 +70,8 @@ struct EdgeContext
     const ScalarSpline *varying = nullptr;
     //! For a surface with a parameter map: how edges get their pcurves. Empty: as the base's pcurves through the map.
     CurveImage image = {};
+    //! Edges of another offset of the same face, whose knots are tried before any are chosen; may be null.
+    const TrimLoops *like = nullptr;
 };
 
 //! Largest distance seen of a curve from S + d N over the base's pcurve, at equal parameters [mm].
