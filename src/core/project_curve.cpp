@@ -191,8 +191,7 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
     std::vector<ImagePart> parts;
     for (std::size_t i = 0; i < given.value().curves.size(); ++i)
     {
-        Result<std::vector<ImagePiece>> pieces =
-            image_of(on, given.value().curves[i], options.tolerance, options.outside);
+        Result<std::vector<ImagePiece>> pieces = image_of(on, given.value().curves[i], options.tolerance);
         if (!pieces)
             return pieces.failure();
         const bool reversed = given.value().reversed[i] != 0;

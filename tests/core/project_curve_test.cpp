@@ -133,6 +133,24 @@ TEST(ProjectCurve, PartsOutsideAreClippedOrTheSurfaceGoesOn)
     EXPECT_GT(extended.value().edges.front().last, 60.0);
 }
 
+TEST(ProjectCurve, NoSurfaceGoesOnPastItsLastKnot)
+{
+    const TopoDS_Face panel = test_support::panel_with_hole();
+    const TopoDS_Edge line = BRepBuilderAPI_MakeEdge(gp_Pnt(50, 100, 80), gp_Pnt(700, 180, 80));
+    const auto clipped = project_curve(panel, line);
+    const auto extended = project_curve(panel, line, {tolerance, Outside::Extend});
+    ASSERT_TRUE(clipped.ok() && extended.ok());
+    for (const CurveProjection *image : {&clipped.value(), &extended.value()})
+    {
+        ASSERT_EQ(image->edges.size(), 1u);
+        ASSERT_TRUE(image->certified_error);
+        EXPECT_LE(*image->certified_error, tolerance);
+        EXPECT_LE(sampled(image->wire, panel), *image->certified_error + 1e-12);
+        EXPECT_GT(image->edges.front().last, 300.0);
+        EXPECT_LT(image->edges.front().last, 500.0) << "the panel ends at x = 400";
+    }
+}
+
 TEST(ProjectCurve, Refusals)
 {
     const TopoDS_Face face = test_support::panel_with_hole();

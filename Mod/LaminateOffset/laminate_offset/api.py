@@ -175,7 +175,7 @@ def project_curve(
         edge_or_wire: a Part.Edge or Part.Wire, a ply boundary for instance.
         tolerance: largest deviation in mm, or a FreeCAD length; above zero.
         outside: what becomes of parts whose nearest points lie on the end of the surface: "clip" leaves them out at the
-            face's parameter range; "extend" uses the surface beyond that range as far as it reaches.
+            face's parameter range; "extend" uses the surface beyond that range as far as it reaches and leaves out the rest.
 
     Returns:
         CurveProjection with .wire, .pcurves and .certified_error.

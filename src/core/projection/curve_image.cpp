@@ -20,6 +20,8 @@ namespace
 {
 
 constexpr int deepest = 26;
+// A curve that needs more of them is not followed any better by cubics.
+constexpr std::size_t most_cubics = 10000;
 // Parts of the tolerance for the cubics, tried in turn.
 constexpr double fit_shares[] = {0.3, 0.05};
 // Part of the tolerance that taking out knots may cost.
@@ -67,7 +69,7 @@ public:
             return true;
         }
         const double middle = 0.5 * (start.t + end.t);
-        if (depth >= deepest || !(middle > start.t && middle < end.t))
+        if (depth >= deepest || m_cubics.size() >= most_cubics || !(middle > start.t && middle < end.t))
             return false;
         const ImageFoot between = m_marcher.foot(middle, 0.5 * (start.uv + end.uv));
         return fit(start, between, depth + 1) && fit(between, end, depth + 1);
@@ -152,10 +154,10 @@ public:
     {
     }
 
-    [[nodiscard]] Result<std::vector<ImagePiece>> make(Outside outside) const
+    [[nodiscard]] Result<std::vector<ImagePiece>> make() const
     {
         std::vector<ImagePiece> pieces;
-        for (const ImageRun &run : m_marcher.runs(outside == Outside::Clip))
+        for (const ImageRun &run : m_marcher.runs(true))
         {
             std::optional<ImagePiece> piece = image(run);
             if (!piece)
@@ -254,10 +256,9 @@ private:
 
 } // namespace
 
-Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance,
-                                         Outside outside)
+Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance)
 {
-    return ImageMaker(on, curve, tolerance).make(outside);
+    return ImageMaker(on, curve, tolerance).make();
 }
 
 Handle(Geom2d_Curve) dropped_pcurve(const ImageSurface &on, const SpaceCurve &curve, double accuracy)

@@ -14,7 +14,6 @@
 
 #include "../nearest/face_nearest.h"
 #include "../trimming/edge_curve.h"
-#include "outside.h"
 
 #include <Geom2d_BSplineCurve.hxx>
 
@@ -53,10 +52,10 @@ struct ImagePiece
     double distance = 0.0;  //!< largest one seen between the given curve and its image [mm]
 };
 
-//! The image of a curve, in order of its parameter; empty where all of it is clipped.
+//! The image of a curve on the surface's box, in order of its parameter; parts whose nearest points lie on the end of the
+//! box are left out, all of it perhaps.
 //! Refusal: EdgeToleranceNotReached.
-Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance,
-                                         Outside outside);
+Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance);
 
 //! The image of a curve that need not lie on the surface, in one piece and with the curve's parameter: seen at samples to be
 //! within `accuracy` [mm] of the nearest points. Nothing is proven.

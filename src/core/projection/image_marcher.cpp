@@ -113,16 +113,25 @@ ImageFoot ImageMarcher::foot(double t, const Eigen::Vector2d &hint) const
         matrix = first_form;
     if (matrix.determinant() > 1e-12 * matrix(0, 0) * matrix(1, 1))
         result.slope = matrix.inverse() * right;
+    bool held[2] = {false, false};
     for (int k = 0; k < 2; ++k)
     {
         const double width = m_high[k] - m_low[k];
         const bool low = result.uv[k] - m_low[k] <= border_share * width;
         const bool high = m_high[k] - result.uv[k] <= border_share * width;
         const gp_Vec &side = k == 0 ? u : v;
-        const double held = -r.Dot(side) / std::max(side.Magnitude(), 1e-300); // how far C lies beyond, along the side
-        if (!m_closed[k] && ((low && held < -m_tolerance) || (high && held > m_tolerance)))
-            result.outside = true;
+        const double beyond = -r.Dot(side) / std::max(side.Magnitude(), 1e-300); // how far C lies past the side
+        held[k] = !m_closed[k] && ((low && beyond < -m_tolerance) || (high && beyond > m_tolerance));
     }
+    result.outside = held[0] || held[1];
+    // a foot that the end of the surface holds back moves along that end only
+    for (int k = 0; k < 2; ++k)
+        if (held[k])
+            result.slope[1 - k] =
+                held[1 - k] || !(matrix(1 - k, 1 - k) > 0.0) ? 0.0 : right[1 - k] / matrix(1 - k, 1 - k);
+    for (int k = 0; k < 2; ++k)
+        if (held[k])
+            result.slope[k] = 0.0;
     return result;
 }
 

@@ -10,7 +10,7 @@ namespace laminate_offset
 enum class Outside
 {
     Clip,  //!< they are left out
-    Extend //!< the surface beyond the face's parameter box is used as far as it reaches
+    Extend //!< the surface beyond the face's parameter box is used as far as it reaches; what lies past that is left out
 };
 
 } // namespace laminate_offset
