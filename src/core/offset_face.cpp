@@ -268,9 +268,10 @@ private:
         Result<OffsetSurface> made = offset_surface(analysis, input, distance, options);
         if (!made)
             return made;
-        if (const Result<bool> clear = check_meetings(analysis, input, made.value(), distance, options.tolerance);
-            !clear)
-            return clear.failure();
+        const Result<bool> apart = check_meetings(analysis, input, made.value(), distance, options.tolerance);
+        if (!apart)
+            return apart.failure();
+        made.value().apart = apart.value();
         return made;
     }
 
@@ -300,6 +301,8 @@ private:
         }
         if (part.limits && joint.limits)
             joint.limits = tightest(*part.limits, *joint.limits);
+        joint.limits_proven = joint.limits_proven && part.limits_proven;
+        joint.apart = joint.apart && part.apart;
     }
 
     const OffsetOptions &m_options;

@@ -42,6 +42,8 @@ REPORT_FIELDS = [
     "edge_error",
     "surface",
     "limits",
+    "limits_proven",
+    "self_intersection",
     "loops",
     "edges",
     "faces",

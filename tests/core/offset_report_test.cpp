@@ -43,8 +43,9 @@ void expect_keys(const Json &json, const std::set<std::string> &wanted)
 }
 
 const std::set<std::string> fixed_names{
-    "status",     "stage",   "message", "where", "method", "distance", "tolerance", "certified_error", "sampled_error",
-    "edge_error", "surface", "limits",  "loops", "edges",  "faces",    "gap",       "crease",          "elapsed_ms"};
+    "status",          "stage",         "message",    "where",   "method", "distance",      "tolerance",
+    "certified_error", "sampled_error", "edge_error", "surface", "limits", "limits_proven", "self_intersection",
+    "loops",           "edges",         "faces",      "gap",     "crease", "elapsed_ms"};
 
 Json report_of(const TopoDS_Shape &shape, double distance)
 {
@@ -56,6 +57,26 @@ Json report_of(const TopoDS_Shape &shape, double distance)
 }
 
 } // namespace
+
+TEST(OffsetReport, WhatIsNotSettledIsSaid)
+{
+    OffsetReport report;
+    report.limits = FeasibleRange{};
+    Json json = Json::parse(to_json_text(report));
+    EXPECT_EQ(json["self_intersection"], "none");
+    EXPECT_EQ(json["limits_proven"], true);
+    report.apart = false;
+    report.limits_proven = false;
+    json = Json::parse(to_json_text(report));
+    EXPECT_EQ(json["self_intersection"], "undecided");
+    EXPECT_EQ(json["limits_proven"], false);
+    EXPECT_NE(to_text(report).find("not settled"), std::string::npos);
+    report.status = Status::CurvatureLimit;
+    report.limits.reset();
+    json = Json::parse(to_json_text(report));
+    EXPECT_TRUE(json["self_intersection"].is_null());
+    EXPECT_TRUE(json["limits_proven"].is_null());
+}
 
 TEST(OffsetReport, OfAFittedFaceHasEveryFixedName)
 {

@@ -66,9 +66,11 @@ class OffsetReport(Fields):
     """What was done to one face, with measured and proven figures.
 
     Every field of the JSON format is an attribute: status, stage, message, where, method, distance, tolerance,
-    certified_error, sampled_error, edge_error, surface, limits, extension, loops, edges, faces, gap, crease, elapsed_ms. Lengths are in mm, times in
-    ms; distance and limits are signed along the base face's outward normal, its orientation included. A figure which
-    was not computed is None.
+    certified_error, sampled_error, edge_error, surface, limits, limits_proven, self_intersection, extension, loops,
+    edges, faces, gap, crease, elapsed_ms. Lengths are in mm, times in ms; distance and limits are signed along the base
+    face's outward normal, its orientation included. A figure which was not computed is None. limits_proven is False
+    where curvature could only be sampled somewhere; self_intersection is "none", or "undecided" where the search for
+    distant parts that meet ran out of its budget.
 
     A base with creases is torn into parts: faces is their number, gap a proven bound in mm of the distance between
     two parts' edges along a crease, crease "gap", "overlap" or "both" for what they do there. For a single face, gap

@@ -437,9 +437,10 @@ SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query
 
 Result<bool> check_self_intersection(const SelfIntersectionQuery &query)
 {
-    const std::optional<SelfMeeting> meeting = find_self_intersection(query).meeting;
+    const SelfIntersectionSearch search = find_self_intersection(query);
+    const std::optional<SelfMeeting> &meeting = search.meeting;
     if (!meeting)
-        return true;
+        return search.settled;
     const Where here = query.input.place(meeting->first);
     const Where there = query.input.place(meeting->second);
     return Failure{

@@ -17,7 +17,7 @@
 //! neighbours have coinciding base points, so they are never taken for one. A meeting that continues one of
 //! the base with itself is the base's own and is not reported either. Pairs that are still
 //! open when the budget or the resolution (a part of the tolerance) is used up, without any meeting found,
-//! count as apart: that is a closeness of the tolerance, or a surface too intricate to decide.
+//! count as apart, and the report says so: that is a closeness of the tolerance, or a surface too intricate to decide.
 #pragma once
 
 #include "surface_analysis.h"
@@ -56,6 +56,7 @@ SelfIntersectionSearch find_self_intersection(const SelfIntersectionQuery &query
 
 //! Refuses a meeting as SelfIntersection at stage Surface, at one of its two places on the base face; the message
 //! names the other.
+//! \return true where there is none, false where some pairs stayed open.
 Result<bool> check_self_intersection(const SelfIntersectionQuery &query);
 
 } // namespace laminate_offset

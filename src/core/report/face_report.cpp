@@ -18,6 +18,8 @@ OffsetReport face_report(const InputFace &input, const SurfaceAnalysis &analysis
     report.sampled_edge_error = loops.sampled_error();
     report.surface = summary_of(surface.geometry);
     report.limits = feasible_range(analysis, input);
+    report.limits_proven = !analysis.sampled;
+    report.apart = surface.apart;
     report.loops = static_cast<int>(input.loops.size());
     report.edges = input.edge_count();
     report.faces = 1;

@@ -117,6 +117,8 @@ Json to_json(const OffsetReport &report)
     json["sampled_edge_error"] = number(report.sampled_edge_error);
     json["surface"] = to_json(report.surface);
     json["limits"] = limits_json(report.limits);
+    json["limits_proven"] = report.limits ? Json(report.limits_proven) : Json(nullptr);
+    json["self_intersection"] = report.status == Status::Ok ? Json(report.apart ? "none" : "undecided") : Json(nullptr);
     json["extension"] = report.extension
                             ? Json{{"length", report.extension->length}, {"sides", to_json(report.extension->sides)}}
                             : Json(nullptr);
@@ -150,6 +152,8 @@ std::string to_text(const OffsetReport &report)
         text += fmt::format(" by up to {:.3g} mm", *report.gap);
     if (report.crease)
         text += fmt::format(" ({})", name(*report.crease));
+    if (!report.apart)
+        text += ", not settled whether it meets itself";
     if (report.certified_error)
         text += fmt::format(", proven error {:.3g} mm", *report.certified_error);
     if (report.sampled_error)

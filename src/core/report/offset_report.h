@@ -67,9 +67,12 @@ struct OffsetReport
     std::optional<double> sampled_edge_error; //!< largest edge deviation seen [mm]; for information
 
     std::optional<SurfaceSummary> surface; //!< empty when refused
-    //! Proven; empty when not computed. Of a result they may fall short of the true limits by a tenth, where these are
+    //! Empty when not computed. Of a result they may fall short of the true limits by a tenth, where these are
     //! costly by a quarter or more; offset_limits() gives sharp ones.
     std::optional<FeasibleRange> limits;
+    bool limits_proven =
+        true;          //!< false: curvature could only be sampled somewhere (a pole, a base without spline or model)
+    bool apart = true; //!< false: whether distant parts of the offset meet could not be settled within the budget
     std::optional<Extension> extension; //!< empty when none was asked for
     int loops = 0;                      //!< of the base face
     int edges = 0;                      //!< of the base face

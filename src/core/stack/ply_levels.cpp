@@ -219,12 +219,20 @@ private:
             fit_offset_family(analysis, m_input, range.low, range.high, family_share * tolerance, m_options);
         if (!family)
             return family.failure();
+        bool apart = true;
         for (const double end : {range.low, range.high})
-            if (const Result<bool> clear =
-                    check_meetings(analysis, m_input, member(family.value(), end), end, m_options.tolerance);
-                !clear)
-                return clear.failure();
-        return each(analysis, family.value(), tolerance);
+        {
+            const Result<bool> settled =
+                check_meetings(analysis, m_input, member(family.value(), end), end, m_options.tolerance);
+            if (!settled)
+                return settled.failure();
+            apart = apart && settled.value();
+        }
+        Result<std::vector<OffsetSurface>> surfaces = each(analysis, family.value(), tolerance);
+        if (surfaces)
+            for (OffsetSurface &surface : surfaces.value())
+                surface.apart = apart;
+        return surfaces;
     }
 
     static OffsetSurface member(const OffsetFamily &family, double distance)

@@ -129,11 +129,17 @@ Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const Inpu
                                                        : fitted(analysis, input, distances, tolerance, options);
     if (!made)
         return made;
-    const auto clear = [&](double distance) {
-        return check_meetings(analysis, input, made.value().at(distances, distance), distance, options.tolerance);
+    bool apart = true;
+    const auto settled = [&](double distance) {
+        Result<bool> end =
+            check_meetings(analysis, input, made.value().at(distances, distance), distance, options.tolerance);
+        apart = apart && end && end.value();
+        return end;
     };
-    if (const Result<bool> passed = at_ends(distances, clear); !passed)
+    if (const Result<bool> passed = at_ends(distances, settled); !passed)
         return passed.failure();
+    for (OffsetSurface &surface : made.value().surfaces)
+        surface.apart = apart;
     return made;
 }
 

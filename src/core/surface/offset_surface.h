@@ -27,6 +27,7 @@ struct OffsetSurface
     std::optional<double> sampled_error;   //!< largest deviation seen [mm]; empty for exact surfaces
     //! From the result's own parameters to the base's, where they are more than shifted.
     std::shared_ptr<const ParameterMap> parameter_map = nullptr;
+    bool apart = true; //!< false: whether distant parts of it meet could not be settled (check_meetings.h)
 };
 
 //! Parts of the user's tolerance. The surface takes nearly all of it, because its poles are many; the
