@@ -93,18 +93,23 @@ public:
         const std::vector<TopoDS_Wire> wires = boundary_wires(m_boundary.shape);
         if (wires.empty())
             return option_refusal("There is no curve in it; give an edge, a wire or a face.");
-        const Result<std::vector<bool>> left = sides(wires);
+        std::vector<TopoDS_Shape> on_face;
+        for (const TopoDS_Wire &wire : wires)
+        {
+            // the directions across an image count where it is moved
+            const double near = inset > 0.0 ? direction_share * m_tolerance : m_tolerance;
+            const Result<CurveProjection> projection = project_curve(m_face, wire, {near, Outside::Clip});
+            if (!projection)
+                return projection.failure();
+            on_face.push_back(projection.value().wire.Located(TopLoc_Location()));
+        }
+        const Result<std::vector<bool>> left = sides(wires, on_face);
         if (!left)
             return left.failure();
         std::vector<BoundaryImage> images;
         for (std::size_t k = 0; k < wires.size(); ++k)
         {
-            // the directions across an image count where it is moved
-            const double near = inset > 0.0 ? direction_share * m_tolerance : m_tolerance;
-            const Result<CurveProjection> projection = project_curve(m_face, wires[k], {near, Outside::Clip});
-            if (!projection)
-                return projection.failure();
-            BoundaryImage image{projection.value().wire.Located(TopLoc_Location()), left.value()[k]};
+            BoundaryImage image{on_face[k], left.value()[k]};
             if (inset > 0.0)
             {
                 const Result<BoundaryInset> moved = inset_boundary(m_input, image, inset, m_tolerance);
@@ -123,18 +128,16 @@ public:
 
 private:
     //! Whether the ply lies left of each wire, with S_u x S_v upwards.
-    [[nodiscard]] Result<std::vector<bool>> sides(const std::vector<TopoDS_Wire> &wires) const
+    [[nodiscard]] Result<std::vector<bool>> sides(const std::vector<TopoDS_Wire> &wires,
+                                                  const std::vector<TopoDS_Shape> &images) const
     {
         if (m_boundary.side == PlySide::Left || m_boundary.side == PlySide::Right)
             return std::vector<bool>(wires.size(), (m_boundary.side == PlySide::Left) == (m_input.normal_sign > 0.0));
         if (m_boundary.side == PlySide::Nearest)
             return std::vector<bool>(wires.size(), true);
-        std::vector<bool> left = inside_is_left(m_input, wires);
-        if (left.empty())
-            return option_refusal("A curve of it is open, so it has no inside; close it, or say which side the ply is "
-                                  "on: left, right, or the side next to a point.");
-        if (m_boundary.side == PlySide::Outside)
-            left.flip();
+        Result<std::vector<bool>> left = inside_is_left(m_input, wires, images);
+        if (left && m_boundary.side == PlySide::Outside)
+            left.value().flip();
         return left;
     }
 

@@ -482,6 +482,125 @@ TEST(PlyStack, InsetsThatFoldOrCrossAreRefused)
     EXPECT_EQ(refused(circle(0.0, 0.0, 40.0), 5.0, PlySide::Nearest).status, Status::InvalidOption);
 }
 
+namespace
+{
+
+//! A patch of 60 x 100 on the cylinder of radius 100 about z, around the angle.
+TopoDS_Wire patch_on_cylinder(double angle)
+{
+    const auto at = [&](double along, double z) {
+        const double a = angle + along / 100.0;
+        return gp_Pnt(100.0 * std::cos(a), 100.0 * std::sin(a), z);
+    };
+    const auto arc = [&](double from, double to, double z) {
+        const gp_Circ round(gp_Ax2(gp_Pnt(0, 0, z), gp_Dir(0, 0, from < to ? 1 : -1)), 100.0);
+        return BRepBuilderAPI_MakeEdge(round, at(from, z), at(to, z)).Edge();
+    };
+    return BRepBuilderAPI_MakeWire(arc(-30, 30, 100), BRepBuilderAPI_MakeEdge(at(30, 100), at(30, 200)),
+                                   arc(30, -30, 200), BRepBuilderAPI_MakeEdge(at(-30, 200), at(-30, 100)));
+}
+
+TopoDS_Face cylinder_face(double from, double to)
+{
+    return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 100.0), from, to, 0.0, 300.0, 1e-7);
+}
+
+} // namespace
+
+TEST(PlyStack, TheInsideOfAPatchIsItsInsideAllRoundACylinder)
+{
+    const PlySpec whole{0.5, std::nullopt, 0.0};
+    const PlySpec partial{0.5, 0, 0.0};
+    for (const TopoDS_Face &face :
+         {cylinder_face(0.0, 2.0 * M_PI), cylinder_face(0.0, 5.0), reversed(cylinder_face(0.0, 2.0 * M_PI))})
+        for (const double angle : {0.6, M_PI_2, 2.5, M_PI, 4.0, 4.6})
+            for (const bool outside : {false, true})
+            {
+                SCOPED_TRACE(angle);
+                const PlyBoundary boundary{"patch", patch_on_cylinder(angle),
+                                           outside ? PlySide::Outside : PlySide::Inside, gp_Pnt()};
+                const auto stack = stack_plies(face, {whole, partial}, {boundary}, options_of(10.0));
+                ASSERT_TRUE(stack.ok()) << why(stack);
+                const double expected = outside ? area_of(face) - 6000.0 : 6000.0;
+                EXPECT_NEAR(area_of(stack.value().plies[1].region), expected, 1e-3 * 6000.0);
+            }
+}
+
+TEST(PlyStack, ARingRoundAClosedFaceHasNoInside)
+{
+    const TopoDS_Wire ring =
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 100), gp_Dir(0, 0, 1)), 100.0)));
+    const PlyBoundary boundary{"ring", ring, PlySide::Inside, gp_Pnt()};
+    const auto stack = stack_plies(cylinder_face(0.0, 2.0 * M_PI), {{0.5, 0, 0.0}}, {boundary}, options_of(10.0));
+    ASSERT_FALSE(stack.ok());
+    EXPECT_EQ(stack.failure().status, Status::InvalidOption);
+    EXPECT_NE(stack.failure().message.find("goes round"), std::string::npos) << stack.failure().message;
+}
+
+TEST(PlyStack, ARampThatReachesTheSeamIsRefused)
+{
+    const PlyBoundary boundary{"patch", patch_on_cylinder(0.35), PlySide::Inside, gp_Pnt()};
+    const std::vector<PlySpec> plies{{0.25, 0, 0.0}, {0.25, std::nullopt, 0.0}};
+    const auto face = cylinder_face(0.0, 2.0 * M_PI);
+    const auto stack = stack_plies(face, plies, {boundary}, options_of(10.0));
+    ASSERT_FALSE(stack.ok());
+    EXPECT_EQ(stack.failure().status, Status::NotSupported);
+    EXPECT_NE(stack.failure().message.find("seam"), std::string::npos) << stack.failure().message;
+    const PlyBoundary away{"patch", patch_on_cylinder(1.0), PlySide::Inside, gp_Pnt()};
+    const auto made = stack_plies(face, plies, {away}, options_of(10.0));
+    EXPECT_TRUE(made.ok()) << why(made);
+}
+
+TEST(PlyStack, NoInsetTurnsABoundaryInsideOut)
+{
+    const TopoDS_Face plate = BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), -100.0, 100.0, -100.0, 100.0);
+    const auto rectangle = [](double width, double height) {
+        const double x = 0.5 * width;
+        const double y = 0.5 * height;
+        const gp_Pnt a(-x, -y, 0), b(x, -y, 0), c(x, y, 0), d(-x, y, 0);
+        return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(a, b), BRepBuilderAPI_MakeEdge(b, c),
+                                       BRepBuilderAPI_MakeEdge(c, d), BRepBuilderAPI_MakeEdge(d, a))
+            .Wire();
+    };
+    const auto region = [&](const TopoDS_Wire &wire, double inset) {
+        const PlyBoundary boundary{"patch", wire, PlySide::Inside, gp_Pnt()};
+        return stack_plies(plate, {{0.25, 0, inset}}, {boundary}, options_of(10.0));
+    };
+    for (const double inset : {5.0, 15.0, 19.0})
+    {
+        const auto made = region(rectangle(80.0, 40.0), inset);
+        ASSERT_TRUE(made.ok()) << why(made);
+        EXPECT_NEAR(area_of(made.value().plies[0].region), (80.0 - 2 * inset) * (40.0 - 2 * inset), 0.1);
+    }
+    for (const double inset : {20.0, 20.5, 25.0, 39.0, 60.0})
+    {
+        const auto made = region(rectangle(80.0, 40.0), inset);
+        EXPECT_FALSE(made.ok()) << inset << " leaves " << (made.ok() ? area_of(made.value().plies[0].region) : 0.0);
+    }
+    EXPECT_FALSE(region(rectangle(40.0, 40.0), 20.0).ok());
+}
+
+TEST(PlyStack, BoundariesThatCrossThemselvesAreRefused)
+{
+    const gp_Pnt a(-100, -50, 0), b(100, 50, 0), c(100, -50, 0), d(-100, 50, 0);
+    const TopoDS_Wire eight = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(a, b), BRepBuilderAPI_MakeEdge(b, c),
+                                                      BRepBuilderAPI_MakeEdge(c, d), BRepBuilderAPI_MakeEdge(d, a));
+    const auto crossed =
+        stack_plies(panel(), {{0.25, 0, 0.0}}, {{"eight", eight, PlySide::Inside, gp_Pnt()}}, options_of(10.0));
+    ASSERT_FALSE(crossed.ok());
+    EXPECT_EQ(crossed.failure().status, Status::NotSupported);
+    BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, circle(-20, 0, 50));
+    builder.Add(both, circle(20, 0, 50));
+    const auto overlapping =
+        stack_plies(panel(), {{0.25, 0, 0.0}}, {{"both", both, PlySide::Inside, gp_Pnt()}}, options_of(10.0));
+    ASSERT_FALSE(overlapping.ok());
+    EXPECT_NE(overlapping.failure().message.find("crosses or touches"), std::string::npos)
+        << overlapping.failure().message;
+}
+
 TEST(PlyStack, AStaggeredDropOffNeverCrosses)
 {
     const TopoDS_Face face = panel();

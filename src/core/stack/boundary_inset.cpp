@@ -34,6 +34,8 @@ constexpr int samples_per_span = 5;
 constexpr int checks_per_span = 3;
 constexpr int most_spans = 256;
 constexpr int polygon_points = 96; // of a curve, where crossings are looked for
+// A moved curve may be nearer in space to where it was than along the face, but by no more than this share says.
+constexpr double nearest_share = 0.75;
 
 using Vector2 = Eigen::Vector2d;
 
@@ -175,6 +177,8 @@ public:
         if (const std::optional<Failure> folded = fold())
             return *folded;
         join();
+        if (const std::optional<Failure> lost = vanished())
+            return *lost;
         if (!m_closed)
             reach_borders();
         if (const std::optional<Failure> crossed = crossing())
@@ -232,6 +236,53 @@ private:
                                                m_distance));
             }
         return std::nullopt;
+    }
+
+    //! Moved too far, a closed wire turns inside out, and parts of any wire come too near to where it was.
+    [[nodiscard]] std::optional<Failure> vanished() const
+    {
+        std::vector<Vector2> own, moved;
+        for (const EdgePath &edge : m_edges)
+            for (int i = 0; i < polygon_points; ++i)
+                own.push_back(edge(static_cast<double>(i) / polygon_points));
+        own.push_back(m_edges.back()(1.0));
+        for (const Part &part : m_parts)
+            for (int i = 0; i < polygon_points; ++i)
+                moved.push_back(part.at(static_cast<double>(i) / polygon_points));
+        bool lost = m_closed && !(turning(own) * turning(moved) > 0.0);
+        std::vector<Eigen::Vector3d> places;
+        for (const Vector2 &uv : own)
+            places.push_back(m_walker.point(uv));
+        for (std::size_t i = 0; i < moved.size() && !lost; ++i)
+            for (std::size_t k = 0; k + 1 < places.size() && !lost; ++k)
+                lost = distance(m_walker.point(moved[i]), places[k], places[k + 1]) < nearest_share * m_distance;
+        if (!lost)
+            return std::nullopt;
+        return refusal(m_input, Status::NotSupported, own.front(),
+                       fmt::format("Moved by {:.4g} mm it turns inside out, or nothing is left of it; take a smaller "
+                                   "distance.",
+                                   m_distance));
+    }
+
+    //! Twice the area to the left.
+    static double turning(const std::vector<Vector2> &points)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const Vector2 a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
+            sum += a.x() * b.y() - a.y() * b.x();
+        }
+        return sum;
+    }
+
+    //! Of a point from a segment.
+    static double distance(const Eigen::Vector3d &point, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+    {
+        const Eigen::Vector3d along = b - a;
+        const double length = along.squaredNorm();
+        const double t = length > 0.0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
+        return (point - a - t * along).norm();
     }
 
     //! Cuts or bridges the moved curves at corners.

@@ -8,6 +8,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_FreeBounds.hxx>
 #include <TopExp_Explorer.hxx>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace laminate_offset
 {
@@ -24,6 +26,8 @@ namespace
 
 constexpr int samples_per_edge = 24;
 constexpr double same_point = 1e-6; // of the polygon's size
+// A wire that the face cuts off faces it by this much at least: its area against the mean normal along its image.
+constexpr double least_facing = 0.2;
 
 using Polygon = std::vector<Eigen::Vector3d>;
 
@@ -80,24 +84,85 @@ bool encloses(const Polygon &polygon, const Eigen::Vector3d &point, const Eigen:
     return inside;
 }
 
-//! Mean of the face's normal S_u x S_v over a grid, where the face stands.
-Eigen::Vector3d mean_normal(const InputFace &input)
+//! The image of a wire in the face's parameters.
+struct ImagePolygon
 {
-    constexpr int grid = 8;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int i = 0; i <= grid; ++i)
-        for (int j = 0; j <= grid; ++j)
+    std::vector<Eigen::Vector2d> points;
+    bool closed = false; //!< in the parameters
+    bool round = false;  //!< closed in space only: it goes round a closed face
+};
+
+ImagePolygon traced(const InputFace &input, const TopoDS_Shape &image)
+{
+    ImagePolygon polygon;
+    for (TopExp_Explorer it(image, TopAbs_EDGE); it.More(); it.Next())
+    {
+        double first = 0.0;
+        double last = 0.0;
+        const Handle(Geom2d_Curve) pcurve =
+            BRep_Tool::CurveOnSurface(TopoDS::Edge(it.Current()), input.face, first, last);
+        if (it.Current().Orientation() == TopAbs_REVERSED)
+            std::swap(first, last);
+        for (int i = 0; i <= samples_per_edge; ++i)
         {
-            gp_Pnt point;
-            gp_Vec du, dv;
-            input.surface->D1(input.box.umin + (input.box.umax - input.box.umin) * i / grid,
-                              input.box.vmin + (input.box.vmax - input.box.vmin) * j / grid, point, du, dv);
-            const gp_Vec normal = du.Crossed(dv);
-            if (normal.Magnitude() > 0.0)
-                sum += vector((normal / normal.Magnitude()).XYZ());
+            const gp_Pnt2d uv = pcurve->Value(first + (last - first) * i / samples_per_edge);
+            polygon.points.emplace_back(uv.X(), uv.Y());
         }
-    return vector(gp_Vec(sum.x(), sum.y(), sum.z()).Transformed(input.location.Transformation()).XYZ()) *
-           (input.location.Transformation().IsNegative() ? -1.0 : 1.0);
+    }
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d &point : polygon.points)
+        box.extend(point);
+    const Eigen::Vector2d gap = (polygon.points.front() - polygon.points.back()).cwiseAbs();
+    polygon.closed = (gap.array() <= same_point * box.sizes().array()).all();
+    const auto place = [&](const Eigen::Vector2d &uv) { return vector(input.surface->Value(uv.x(), uv.y()).XYZ()); };
+    polygon.round = !polygon.closed && (place(polygon.points.front()) - place(polygon.points.back())).norm() <=
+                                           same_point * input.diagonal;
+    return polygon;
+}
+
+//! Twice the area that the image goes round to the left.
+double area_of(const ImagePolygon &polygon)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < polygon.points.size(); ++i)
+    {
+        const Eigen::Vector2d a = polygon.points[i] - polygon.points[0];
+        const Eigen::Vector2d b = polygon.points[i + 1] - polygon.points[0];
+        sum += a.x() * b.y() - a.y() * b.x();
+    }
+    return sum;
+}
+
+//! The same points in the plane z = 0.
+Polygon flat(const ImagePolygon &polygon)
+{
+    Polygon points;
+    for (const Eigen::Vector2d &point : polygon.points)
+        points.emplace_back(point.x(), point.y(), 0.0);
+    return points;
+}
+
+//! Mean of the face's unit normals S_u x S_v along an image, where the face stands.
+Eigen::Vector3d mean_normal(const InputFace &input, const ImagePolygon &image)
+{
+    gp_Vec sum;
+    for (const Eigen::Vector2d &uv : image.points)
+    {
+        gp_Pnt point;
+        gp_Vec du, dv;
+        input.surface->D1(uv.x(), uv.y(), point, du, dv);
+        const gp_Vec normal = du.Crossed(dv);
+        if (normal.Magnitude() > 0.0)
+            sum += normal / (normal.Magnitude() * static_cast<double>(image.points.size()));
+    }
+    const gp_Trsf standing = input.location.Transformation();
+    return vector(sum.Transformed(standing).XYZ()) * (standing.IsNegative() ? -1.0 : 1.0) /
+           std::abs(standing.ScaleFactor());
+}
+
+Failure refusal(const char *message)
+{
+    return {Status::InvalidOption, Stage::Options, message, std::nullopt, std::nullopt};
 }
 
 } // namespace
@@ -121,29 +186,41 @@ std::vector<TopoDS_Wire> boundary_wires(const TopoDS_Shape &shape)
     return wires;
 }
 
-std::vector<bool> inside_is_left(const InputFace &input, const std::vector<TopoDS_Wire> &wires)
+Result<std::vector<bool>> inside_is_left(const InputFace &input, const std::vector<TopoDS_Wire> &wires,
+                                         const std::vector<TopoDS_Shape> &images)
 {
     std::vector<Polygon> polygons;
-    std::vector<Eigen::Vector3d> areas;
-    for (const TopoDS_Wire &wire : wires)
+    std::vector<ImagePolygon> traces;
+    for (std::size_t k = 0; k < wires.size(); ++k)
     {
-        polygons.push_back(polygon_of(wire));
+        polygons.push_back(polygon_of(wires[k]));
         const Polygon &polygon = polygons.back();
         const double size = polygon.empty() ? 0.0 : size_of(polygon);
         if (!(size > 0.0) || (polygon.front() - polygon.back()).norm() > same_point * size)
-            return {};
-        areas.push_back(area_of(polygon));
+            return refusal("A curve of it is open, so it has no inside; close it, or say which side the ply is on: "
+                           "left, right, or the side next to a point.");
+        traces.push_back(traced(input, images[k]));
+        if (traces.back().round)
+            return refusal(
+                "A curve of it goes round the face, so it has no inside; say which side the ply is on: left, "
+                "right, or the side next to a point.");
     }
-    const Eigen::Vector3d normal = mean_normal(input);
     std::vector<bool> result;
     for (std::size_t k = 0; k < wires.size(); ++k)
     {
-        const double along = areas[k].dot(normal);
-        if (along == 0.0)
-            return {};
+        const Eigen::Vector3d normal = mean_normal(input, traces[k]);
+        const Eigen::Vector3d area = area_of(polygons[k]);
+        const double along = traces[k].closed ? area_of(traces[k]) : area.dot(normal);
+        const bool clear = traces[k].closed ? along != 0.0 : std::abs(along) > least_facing * area.norm();
+        if (!clear)
+            return refusal(
+                "A curve of it is cut off by the face's edges and stands across the face, so that its inside is "
+                "not clear; say which side the ply is on: left, right, or the side next to a point.");
         bool hole = false;
         for (std::size_t l = 0; l < wires.size(); ++l)
-            if (l != k && encloses(polygons[l], polygons[k].front(), normal))
+            if (l != k && (traces[k].closed && traces[l].closed
+                               ? encloses(flat(traces[l]), flat(traces[k]).front(), Eigen::Vector3d::UnitZ())
+                               : encloses(polygons[l], polygons[k].front(), normal)))
                 hole = !hole;
         result.push_back((along > 0.0) != hole);
     }

@@ -410,6 +410,44 @@ private:
     std::vector<double> m_distances;
 };
 
+//! Is the surface one and the same at both ends of a direction of the box?
+bool closed(const Geom_Surface &surface, const ParameterBox &box, bool along_u, double size)
+{
+    constexpr int probes = 4;
+    constexpr double same = 1e-6;
+    for (int i = 0; i <= probes; ++i)
+    {
+        const double u = box.umin + (box.umax - box.umin) * i / probes;
+        const double v = box.vmin + (box.vmax - box.vmin) * i / probes;
+        const gp_Pnt low = along_u ? surface.Value(box.umin, v) : surface.Value(u, box.vmin);
+        const gp_Pnt high = along_u ? surface.Value(box.umax, v) : surface.Value(u, box.vmax);
+        if (low.Distance(high) > same * size)
+            return false;
+    }
+    return true;
+}
+
+//! Does the share run on smoothly across a seam? Its knots know nothing of what lies on the other side.
+bool torn_at_seam(const ScalarSpline &share, const InputFace &input, const ParameterBox &box)
+{
+    constexpr double same = 1e-9;
+    const int rows = share.u.pole_count();
+    const int columns = share.v.pole_count();
+    const auto differ = [](double a, double b) { return std::abs(a - b) > same; };
+    bool torn = false;
+    if (closed(*input.surface, box, true, input.diagonal))
+        for (int j = 0; j < columns; ++j)
+            for (int i = 0; i < degree; ++i)
+                torn = torn || differ(share.pole(i, j), share.pole(rows - 1, j)) ||
+                       differ(share.pole(rows - 1 - i, j), share.pole(0, j));
+    if (closed(*input.surface, box, false, input.diagonal))
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < degree; ++j)
+                torn = torn || differ(share.pole(i, j), share.pole(i, columns - 1)) ||
+                       differ(share.pole(i, columns - 1 - j), share.pole(i, 0));
+    return torn;
+}
+
 } // namespace
 
 LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length)
@@ -451,6 +489,13 @@ Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region,
             std::nullopt, std::nullopt};
     share.poles.reserve(static_cast<std::size_t>(poles));
     ShareMaker(base, region, walk, length, share);
+    if (torn_at_seam(share, region.input, box))
+        return Failure{
+            Status::NotSupported, Stage::Surface,
+            fmt::format("The ramp of {:.3g} mm beside the boundary '{}' reaches the seam of the closed face; "
+                        "move the boundary or the seam away from it, or make the ramp shorter.",
+                        length, region.name),
+            std::nullopt, std::nullopt};
     return share;
 }
 

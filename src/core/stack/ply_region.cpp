@@ -11,8 +11,10 @@
 #include <TopoDS.hxx>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace laminate_offset
 {
@@ -50,6 +52,18 @@ public:
     }
 
     [[nodiscard]] bool failed() const { return m_splitter.HasErrors(); }
+
+    //! Do more than two pieces of boundaries meet somewhere?
+    [[nodiscard]] bool crosses() const
+    {
+        std::map<const TopoDS_TShape *, std::set<const TopoDS_TShape *>> meeting;
+        for (const TopoDS_Face &part : m_parts)
+            for (TopExp_Explorer edge(part, TopAbs_EDGE); edge.More(); edge.Next())
+                if (is_cut(TopoDS::Edge(edge.Current())))
+                    for (TopExp_Explorer end(edge.Current(), TopAbs_VERTEX); end.More(); end.Next())
+                        meeting[end.Current().TShape().get()].insert(edge.Current().TShape().get());
+        return std::any_of(meeting.begin(), meeting.end(), [](const auto &at) { return at.second.size() > 2; });
+    }
     [[nodiscard]] const std::vector<TopoDS_Face> &parts() const { return m_parts; }
     [[nodiscard]] bool is_cut(const TopoDS_Edge &edge) const { return m_kept_left.count(edge.TShape().get()) > 0; }
 
@@ -125,6 +139,10 @@ std::optional<Failure> nothing_cut(const FaceCut &cut)
     if (cut.parts().size() < 2)
         return refusal(Status::NotSupported, "The boundary does not cut the face into parts; close it, or extend it "
                                              "past the face's edges. For the whole face leave the boundary out.");
+    if (cut.crosses())
+        return refusal(Status::NotSupported,
+                       "The boundary crosses or touches itself; draw closed curves that keep apart, "
+                       "and give plies that overlap a row and a boundary each.");
     return std::nullopt;
 }
 
