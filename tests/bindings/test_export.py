@@ -415,6 +415,7 @@ def test_partial_plies_are_written(partial: lo.PlyStack, tmp_path: Path) -> None
     partial.export(str(tmp_path / "plies.csv"))
     with open(tmp_path / "plies.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
+    assert [row["over_ramp"] for row in rows] == ["no", "no", "yes"]
     assert [row["boundary"] for row in rows] == ["", "disc", ""] and not any(row["mass_kg"] for row in rows)
     partial.export(str(tmp_path / "book.html"))
     book = Book(tmp_path / "book.html")
@@ -425,6 +426,22 @@ def test_partial_plies_are_written(partial: lo.PlyStack, tmp_path: Path) -> None
 
 
 # All of them
+
+
+def test_plies_of_several_rosettes_are_not_drawn_with_one(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    plies = (lo.Ply("P1", "tape", 0.2, rosette="nose"), lo.Ply("P2", "tape", 0.2, rosette="tail"))
+    mixed = lo.stack_plies(sample_shapes.bspline_face(), lo.Layup(plies))
+    for write, name in ((lo.export_calculix, "section.inp"), (lo.export_ply_book, "book.html")):
+        with pytest.raises(ValueError, match="different rosettes .'nose', 'tail'.*plies of one rosette only"):
+            write(mixed, str(tmp_path / name), rosette=lo.Rosette((0, 0, 0), (1, 0, 0)))
+    source, table, output = tmp_path / "base.brep", tmp_path / "layup.csv", tmp_path / "plies.step"
+    files.write_shape(sample_shapes.bspline_face(), str(source), "base")
+    mixed.layup.write(str(table))
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(output)]
+    for option, name in (("--calculix", "section.inp"), ("--book", "book.html")):
+        assert cli.main([*arguments, option, str(tmp_path / name)]) == 2
+        assert "different rosettes" in capfd.readouterr().err
+    assert sorted(os.listdir(tmp_path)) == ["base.brep", "layup.csv"]
 
 
 def test_what_cannot_be_written_says_why(stack: lo.PlyStack, tmp_path: Path) -> None:

@@ -60,6 +60,10 @@ def test_the_ply_above_comes_down_beside_the_patch() -> None:
     assert low == pytest.approx([1.0, 0.5], abs=2e-3) and high == pytest.approx([1.5, 1.0], abs=2e-3)
     assert stack.thickness([middle, corner]) == pytest.approx([1.5, 1.0], abs=2e-3)
     assert len(stack.core_sample(tuple(face.valueAt(*corner))).layers) == 2
+    ends = [face.valueAt(u, v) for u in (u0, u1) for v in (v0, v1)]
+    assert [len(stack.core_sample(end).layers) for end in ends] == [2] * 4
+    outside = [face.valueAt(*corner) + FreeCAD.Vector(-900, 0, 0), face.valueAt(*corner) + FreeCAD.Vector(0, -900, 0)]
+    assert stack.thickness([tuple(point) for point in outside]).tolist() == [0.0, 0.0]
     entry = stack.ply_reports()[1]
     assert entry["boundary"] == "patch" and entry["report"]["certified_error"] <= 1e-3
 
@@ -111,6 +115,37 @@ def test_wrong_boundaries_are_named() -> None:
         lo.stack_plies(face, layup("", "patch", "", thickness=0.025), boundaries={"patch": disc(0, 0, 60)}, drop_off=20)
     with pytest.raises((lo.OffsetError, ValueError), match="ratio"):
         lo.stack_plies(face, layup("patch"), boundaries={"patch": disc(0, 0, 60)}, drop_off=0.1)
+
+
+@pytest.mark.parametrize("point", [(0, float("nan"), 0), "abc", "123", (1, 2), (1, 2, "x"), 5, (0, 0, float("inf"))])
+def test_the_point_of_a_boundary_is_three_numbers(point: object) -> None:
+    with pytest.raises(ValueError, match="point must be three finite numbers"):
+        lo.Boundary(disc(0, 0, 60), point=point)
+    assert lo.Boundary(disc(0, 0, 60), point=FreeCAD.Vector(1, 2, 3)).point == (1.0, 2.0, 3.0)
+
+
+@pytest.mark.parametrize("names", [("", ""), ("patch", "")])
+def test_wrong_ramps_and_staggers_are_named_with_and_without_boundaries(names: tuple) -> None:
+    face = sample_shapes.bspline_face()
+    given = {"patch": disc(0, 0, 60)}
+    for wrong in (True, "20 mm", None, [20]):
+        with pytest.raises(TypeError, match="drop_off must be a multiple"):
+            lo.stack_plies(face, layup(*names), boundaries=given, drop_off=wrong)
+    for wrong in (FreeCAD.Units.Quantity("10 kg"), float("nan"), 0.0, FreeCAD.Units.Quantity("-5 mm")):
+        with pytest.raises(ValueError, match="drop_off must be a multiple"):
+            lo.stack_plies(face, layup(*names), boundaries=given, drop_off=wrong)
+    for wrong in (5, "0,5", [True], ["5"], {"patch": 5}, [None]):
+        with pytest.raises(TypeError, match="stagger must be a list"):
+            lo.stack_plies(face, layup(*names), boundaries=given, stagger=wrong)
+    for wrong in ([-1.0], {"patch": [float("nan")]}):
+        with pytest.raises(ValueError, match="stagger must be a list"):
+            lo.stack_plies(face, layup(*names), boundaries=given, stagger=wrong)
+    with pytest.raises(ValueError, match="stagger must be a length"):
+        lo.stack_plies(face, layup(*names), boundaries=given, stagger=[FreeCAD.Units.Quantity("1 kg")])
+    with pytest.raises(ValueError, match="'flap', which no ply has"):
+        lo.stack_plies(face, layup(*names), boundaries=given, stagger={"flap": [1.0]})
+    with pytest.raises(TypeError, match="boundaries must be a mapping"):
+        lo.stack_plies(face, layup(*names), boundaries=[disc(0, 0, 60)])
 
 
 def test_a_layup_without_boundaries_goes_the_usual_way() -> None:
@@ -179,3 +214,7 @@ def test_the_command_takes_boundaries_from_a_file(
     assert "boundary" in capfd.readouterr().err
     assert cli.main(arguments + asked + ["--side", "flap=left"]) == 2
     assert "flap" in capfd.readouterr().err
+    output.unlink()
+    assert cli.main(arguments + ramps + asked + ["--calculix", str(tmp_path / "section.inp")]) == 2
+    said = capfd.readouterr().err
+    assert "P1, P2, P3 cover parts of the face only" in said and "wrote" not in said and not output.exists()

@@ -159,6 +159,81 @@ def test_thickness_and_core_samples() -> None:
         stack.thickness([1.0, 2.0])
 
 
+def test_there_are_no_plies_beside_the_face() -> None:
+    stack = lo.stack_plies(Part.makePlane(200.0, 100.0).Faces[0], sandwich())
+    beside = [[-500, 50, 0], [100, -400, 0], [500, 50, 0], [-1e-3, 50, 7], [200.001, 50, 0]]
+    above = [[100, 50, 30], [0, 0, 0], [0, 50, 0], [200, 50, 0], [200, 100, -40], [100, 100, 4]]
+    assert stack.thickness(beside).tolist() == [0.0] * 5
+    assert stack.thickness(above).tolist() == [5.75] * 6
+    assert not any(stack.core_sample(point).layers for point in beside)
+    assert all(len(stack.core_sample(point).layers) == 4 for point in above)
+    assert (
+        stack.thickness([[0, 50], [200, 50], [100, 0], [200, 100], [-1, 50], [201, 50]]).tolist()
+        == [5.75] * 4 + [0.0] * 2
+    )
+    low, high = stack.plies[1].levels([[0.0, 50.0], [200.0, 100.0], [201.0, 50.0]])
+    assert low[:2].tolist() == [0.25] * 2 and high[:2].tolist() == [0.5] * 2
+    assert numpy.isnan([low[2], high[2]]).all()
+
+
+@pytest.mark.parametrize("placed", [False, True])
+def test_lines_from_edge_to_edge_count_both_ends(placed: bool) -> None:
+    face = sample_shapes.bspline_face()
+    face = sample_shapes.moved(face) if placed else face
+    stack = lo.stack_plies(face, sandwich())
+    u0, u1, v0, v1 = face.ParameterRange
+    for share in numpy.linspace(0.0, 1.0, 9):
+        u, v = u0 + share * (u1 - u0), v0 + share * (v1 - v0)
+        for start, end in (((u, v0), (u, v1)), ((u0, v), (u1, v))):
+            line = stack.core_sample_line(face.valueAt(*start), face.valueAt(*end), 3)
+            assert [len(sample.layers) for sample in (line[0], line[-1])] == [4, 4]
+    rng = numpy.random.default_rng(11)
+    for u, v in rng.uniform(size=(60, 2)) * [u1 - u0, v1 - v0] + [u0, v0]:
+        point = face.valueAt(u, v) + face.normalAt(u, v) * rng.uniform(-3, 3)
+        assert stack.thickness([tuple(point)]).tolist() == [5.75]
+    past = face.valueAt(u0, v0) + (face.valueAt(u0, v0) - face.valueAt(u1, v1)) * 0.5
+    assert stack.thickness([tuple(past)]).tolist() == [0.0] and not stack.core_sample(past).layers
+
+
+def test_the_edge_of_a_hole_belongs_to_the_face() -> None:
+    stack = lo.stack_plies(sample_shapes.plane_face(), sandwich())
+    turns = numpy.linspace(0.0, 2.0 * math.pi, 25)
+    rings = [[(15 + r * math.cos(turn), 15 + r * math.sin(turn), 2.0) for turn in turns] for r in (4.9, 5.0, 5.01)]
+    assert [set(stack.thickness(ring).tolist()) for ring in rings] == [{0.0}, {5.75}, {5.75}]
+
+
+def test_all_around_a_cylinder_there_are_plies() -> None:
+    stack = lo.stack_plies(sample_shapes.cylinder_face(10.0, 20.0), sandwich())
+    turns = numpy.linspace(-math.pi, math.pi, 33)
+    around = [(12 * math.cos(turn), 12 * math.sin(turn), height) for turn in turns for height in (0.0, 5.0, 20.0)]
+    assert set(stack.thickness(around).tolist()) == {5.75}
+    past = [(12 * math.cos(turn), 12 * math.sin(turn), height) for turn in turns for height in (-0.01, 21.0)]
+    assert set(stack.thickness(past).tolist()) == {0.0}
+
+
+def test_rosettes_by_name() -> None:
+    rows = (lo.Ply("A", "tape", rosette="nose"), lo.Ply("B", "tape", rosette="tail"), lo.Ply("C", "tape"))
+    face = sample_shapes.cylinder_face(10.0, 20.0)
+    stack = lo.stack_plies(face, lo.Layup(rows, (TAPE,)))
+    along, around = lo.Rosette((10.0, 0.0, 0.0), (0.0, 0.0, 1.0)), lo.Rosette((10.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    axes = {"nose": along, "tail": around, "": along}
+    found = [stack.fibre_directions(number, [[0.0, 5.0]], axes)[0] for number in (1, 2, 3)]
+    assert numpy.allclose(found, [[0, 0, 1], [0, 1, 0], [0, 0, 1]], atol=1e-12)
+    with pytest.raises(ValueError, match="different rosettes .'nose', 'tail', none.*give all of them"):
+        stack.fibre_directions(1, [[0.0, 5.0]], along)
+    with pytest.raises(ValueError, match="no rosette 'tail'.*it has 'nose'"):
+        stack.fibre_directions(2, [[0.0, 5.0]], {"nose": along})
+    for wrong in ((10.0, 0.0, 0.0), None, {"nose": (0.0, 0.0, 1.0)}):
+        with pytest.raises(TypeError, match="axes.*must be a Rosette"):
+            stack.fibre_directions(1, [[0.0, 5.0]], wrong)
+    for wrong in (True, "1", 1.0):
+        with pytest.raises(TypeError, match="ply must be a StackPly or its number"):
+            stack.fibre_directions(wrong, [[0.0, 5.0]], axes)
+    inactive = lo.Layup((rows[0], lo.Ply("B", "tape", rosette="tail", active=False)), (TAPE,))
+    only = lo.stack_plies(face, inactive)
+    assert numpy.allclose(only.fibre_directions(1, [[0.0, 5.0]], along), [[0, 0, 1]], atol=1e-12)
+
+
 def test_reduced_plies_have_no_more_poles() -> None:
     face = sample_shapes.trimmed_bspline_face()
     shared = lo.stack_plies(face, sandwich())

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What bounds plies: curves by name, the side that is kept, and how far successive plies keep inside of them."""
 
+import math
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from numbers import Real
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 import FreeCAD
+import numpy
 import Part
 
 from .api import Length, millimetres
@@ -12,6 +15,8 @@ from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
 
 SIDES = ("inside", "outside", "left", "right")
+# Stands for the ratio where a ramp's length is given.
+DEFAULT_RATIO = 20.0
 
 
 @dataclass(frozen=True)
@@ -34,8 +39,8 @@ class Boundary:
     def __post_init__(self) -> None:
         if self.side not in SIDES:
             raise ValueError(f"side must be one of {', '.join(SIDES)}; it is {self.side!r}.")
-        if self.point is not None and len(tuple(self.point)) != 3:
-            raise ValueError(f"point must be x, y and z in mm; it is {self.point!r}.")
+        if self.point is not None:
+            object.__setattr__(self, "point", _checked_point(self.point))
 
     def for_engine(self, name: str) -> Tuple[str, "Part.Shape", str, Tuple[float, float, float]]:
         """Name, shape, side and point as the compiled part takes them."""
@@ -49,11 +54,12 @@ Stagger = Union[Sequence[Length], Mapping[str, Sequence[Length]]]
 
 
 def named_boundaries(boundaries: Optional[Boundaries]) -> Dict[str, Boundary]:
-    """All of them as Boundary objects."""
-    return {
-        name: value if isinstance(value, Boundary) else Boundary(value)
-        for name, value in dict(boundaries or {}).items()
-    }
+    """All of them as Boundary objects. Raises TypeError for anything but a mapping."""
+    if boundaries is None:
+        return {}
+    if not isinstance(boundaries, Mapping):
+        raise TypeError(f'boundaries must be a mapping {{"name": shape or Boundary}}; it is {boundaries!r}.')
+    return {name: value if isinstance(value, Boundary) else Boundary(value) for name, value in boundaries.items()}
 
 
 def check_names(layup: Layup, known: Sequence[str]) -> None:
@@ -71,15 +77,19 @@ def check_names(layup: Layup, known: Sequence[str]) -> None:
 def insets(plies: Sequence[PhysicalPly], stagger: Optional[Stagger]) -> List[float]:
     """How far every ply keeps inside of its boundary in mm: of one boundary's plies, the first takes the first distance.
 
-    Raises ValueError for a table that does not fit the plies.
+    Raises ValueError for a table that does not fit the plies, TypeError for one that is none.
     """
     if stagger is None:
         return [0.0] * len(plies)
     names = list(dict.fromkeys(ply.ply.boundary for ply in plies if ply.ply.boundary))
-    tables = dict(stagger) if isinstance(stagger, Mapping) else {name: stagger for name in names}
+    if isinstance(stagger, Mapping):
+        tables = {name: _distances(values) for name, values in stagger.items()}
+    else:
+        tables = dict.fromkeys(names, _distances(stagger))
     for name in tables:
         if name not in names:
-            raise ValueError(f"stagger names the boundary {name!r}, which no ply has; use one of {', '.join(names)}.")
+            remedy = f"use one of {', '.join(names)}" if names else "name it in the layup"
+            raise ValueError(f"stagger names the boundary {name!r}, which no ply has; {remedy}.")
     result = []
     used: Dict[str, int] = {}
     for ply in plies:
@@ -94,15 +104,52 @@ def insets(plies: Sequence[PhysicalPly], stagger: Optional[Stagger]) -> List[flo
             raise ValueError(
                 f"stagger has {len(tables[name])} distances for boundary {name!r}, which has {count} plies."
             )
-        result.append(millimetres(tables[name][place], "stagger"))
+        result.append(tables[name][place])
     return result
 
 
 def drop_off_of(drop_off: Length) -> Tuple[float, Optional[float]]:
-    """The ramp's ratio, and its length in mm where a length was given."""
-    if isinstance(drop_off, FreeCAD.Units.Quantity) and drop_off.Unit == FreeCAD.Units.Length:
-        return 20.0, float(drop_off.Value)
-    return float(drop_off), None
+    """The ramp's ratio, and its length in mm where a length was given. Raises ValueError and TypeError for what is
+    neither."""
+    wanted = "a multiple of the ply's thickness above 0, or a FreeCAD length above 0"
+    if isinstance(drop_off, FreeCAD.Units.Quantity):
+        if drop_off.Unit != FreeCAD.Units.Length and drop_off.Unit != FreeCAD.Units.Unit():
+            raise ValueError(f"drop_off must be {wanted}; {drop_off.UserString} is none.")
+        value, is_length = float(drop_off.Value), drop_off.Unit == FreeCAD.Units.Length
+    elif isinstance(drop_off, Real) and not isinstance(drop_off, (bool, numpy.bool_)):
+        value, is_length = float(drop_off), False
+    else:
+        raise TypeError(f"drop_off must be {wanted}; it is {drop_off!r}.")
+    if not (math.isfinite(value) and value > 0.0):
+        raise ValueError(f"drop_off must be {wanted}; it is {value:g}.")
+    return (DEFAULT_RATIO, value) if is_length else (value, None)
+
+
+def _distances(values: Any) -> List[float]:
+    """One table of a stagger, in mm."""
+    wanted = "a list of distances in mm or FreeCAD lengths, zero or more"
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise TypeError(f"stagger must be {wanted}, or such lists by the names of boundaries; it is {values!r}.")
+    distances = []
+    for value in values:
+        if not isinstance(value, (Real, FreeCAD.Units.Quantity)) or isinstance(value, (bool, numpy.bool_)):
+            raise TypeError(f"stagger must be {wanted}; {value!r} is none.")
+        distance = millimetres(value, "stagger")
+        if not (math.isfinite(distance) and distance >= 0.0):
+            raise ValueError(f"stagger must be {wanted}; {distance:g} is none.")
+        distances.append(distance)
+    return distances
+
+
+def _checked_point(point: Any) -> Tuple[float, float, float]:
+    try:
+        values = numpy.array(tuple(point), dtype=float)
+    except (TypeError, ValueError):
+        values = numpy.array(())
+    if values.shape != (3,) or isinstance(point, (str, bytes)) or not numpy.isfinite(values).all():
+        raise ValueError(f"point must be three finite numbers x, y and z in mm; it is {point!r}.")
+    x, y, z = (float(value) for value in values)
+    return x, y, z
 
 
 def _shape(given: Any, name: str) -> "Part.Shape":

@@ -8,8 +8,8 @@ import numpy
 import Part
 
 from . import _core
-from .api import Length, Progress
-from .boundaries import Boundary, Stagger, drop_off_of, insets
+from .api import Progress
+from .boundaries import Boundary
 from .layup import Layup, PhysicalPly
 from .mass_properties import MassProperties
 from .report import OffsetReport
@@ -24,14 +24,13 @@ class PartialStackPly(StackPly):
 
     whole_face: Any = None
 
-    def levels(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
-        """The signed distances in mm of bottom and top from the lay-up face at parameters (n, 2), as two arrays (n,);
-        NaN where the ply is not."""
+    def heights(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
+        """The signed distances in mm of the surfaces of bottom and top from the lay-up face at parameters (n, 2), as two
+        arrays (n,), whether the ply is there or not."""
         places = numpy.asarray(uv, dtype=float)
         feet, normals, _ = _core.evaluate_face(self.whole_face, places)
-        _, _, inside = _core.evaluate_face(self.base_face, places)
         sides = [_core.evaluate_face(face, places)[0] for face in (self.bottom_face, self.top_face)]
-        bottom, top = (numpy.where(inside, ((side - feet) * normals).sum(axis=1), numpy.nan) for side in sides)
+        bottom, top = (((side - feet) * normals).sum(axis=1) for side in sides)
         return bottom, top
 
 
@@ -56,13 +55,13 @@ class PartialPlyStack(PlyStack):
 
 @dataclass(frozen=True)
 class Laying:
-    """How plies are laid. Tolerance in mm; drop_off and stagger as for stack_plies."""
+    """How plies are laid. Tolerance in mm; drop_off as drop_off_of gives it; insets: one for every ply, in mm."""
 
     tolerance: float
     max_degree: Optional[int]
     surface: str
-    drop_off: Length
-    stagger: Optional[Stagger]
+    drop_off: Tuple[float, Optional[float]]
+    insets: Sequence[float]
     progress: Optional[Progress]
 
 
@@ -71,12 +70,12 @@ def lay_partial_plies(
 ) -> PartialPlyStack:
     """The stack of plies of which some have boundaries."""
     names = list(boundaries)
-    ratio, ramp_length = drop_off_of(how.drop_off)
+    ratio, ramp_length = how.drop_off
     made, inset_error, elapsed = _core.stack_plies(
         face,
         [
             (ply.thickness, names.index(ply.ply.boundary) if ply.ply.boundary else None, inset)
-            for ply, inset in zip(plies, insets(plies, how.stagger))
+            for ply, inset in zip(plies, how.insets)
         ],
         [boundaries[name].for_engine(name) for name in names],
         tolerance=how.tolerance,

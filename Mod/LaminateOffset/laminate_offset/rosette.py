@@ -2,13 +2,14 @@
 """Rosettes: where the fibres of a ply run on a curved surface."""
 
 from dataclasses import dataclass
-from typing import Any, Sequence, Tuple
+from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy
 import Part
 
 from . import _core
 from .api import nearest_point
+from .layup import PhysicalPly
 
 # A projected axis shorter than this has no direction of its own: the rosette's axis stands on the surface.
 SHORTEST = 1e-6
@@ -40,6 +41,36 @@ class Rosette:
             object.__setattr__(self, name, tuple(float(value) for value in values))
         if not any(self.direction):
             raise ValueError("direction must not be zero; give the rosette's first axis.")
+
+
+Rosettes = Union[Rosette, Mapping[str, Rosette]]
+
+
+def check_one_rosette(plies: Iterable[PhysicalPly], remedy: str) -> None:
+    """Raises ValueError where plies refer to different rosettes; the remedy ends the message."""
+    names = list(dict.fromkeys(ply.ply.rosette for ply in plies))
+    if len(names) > 1:
+        listed = ", ".join(repr(name) if name else "none" for name in names)
+        raise ValueError(
+            f"The rows of the layup name different rosettes ({listed}), but one is used for all; {remedy}."
+        )
+
+
+def rosette_of(axes: Any, name: str, plies: Iterable[PhysicalPly]) -> Rosette:
+    """The rosette of a row that names it: of a mapping the one with that name, otherwise the only one of all plies."""
+    if isinstance(axes, Rosette):
+        check_one_rosette(plies, 'give all of them as {"name": Rosette}')
+        return axes
+    if not isinstance(axes, Mapping):
+        raise TypeError(f'axes must be a Rosette or a mapping {{"name": Rosette}}; it is {axes!r}.')
+    found: Optional[Any] = axes.get(name)
+    if found is None:
+        raise ValueError(
+            f"axes has no rosette {name!r}, which the ply's row names; it has {', '.join(map(repr, axes))}."
+        )
+    if not isinstance(found, Rosette):
+        raise TypeError(f"axes[{name!r}] must be a Rosette; it is {found!r}.")
+    return found
 
 
 def fibre_directions(face: "Part.Face", uv: Any, rosette: Rosette, angle: float) -> "numpy.ndarray[Any, Any]":

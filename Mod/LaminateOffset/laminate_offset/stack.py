@@ -5,6 +5,7 @@ import json
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import groupby
+from numbers import Integral
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import FreeCAD
@@ -13,13 +14,13 @@ import Part
 
 from . import _core
 from .api import Length, Progress, millimetres
-from .boundaries import Boundaries, Stagger, check_names, named_boundaries
-from .core_sample import CoreSample, core_samples, line_points, stack_thickness
+from .boundaries import Boundaries, Stagger, check_names, drop_off_of, insets, named_boundaries
+from .core_sample import CoreSample, core_samples, covered, line_points, stack_thickness
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
 from .mass_properties import MassProperties, PlyProperties, measure
 from .report import OffsetReport
-from .rosette import Rosette, fibre_directions
+from .rosette import Rosettes, fibre_directions, rosette_of
 
 SURFACES = ("bottom", "middle", "top")
 
@@ -50,8 +51,9 @@ class StackPly:
 
     @property
     def solid(self) -> "Part.Solid":
-        """The ply as a valid, closed solid; neighbours' solids share the face between them. Made when first asked for,
-        those of all plies at once. Raises OffsetError where a side has no surface."""
+        """The ply as a valid, closed solid. Neighbours' solids share the face between them only where no ply of the stack
+        has a boundary. Made when first asked for, those of all plies at once. Raises OffsetError where a side has no
+        surface."""
         return self._owner().ply_solids()[self.ply.number - 1]
 
     @property
@@ -81,10 +83,16 @@ class StackPly:
 
     def levels(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
         """The signed distances in mm of bottom and top from the lay-up face at parameters (n, 2), as two arrays (n,);
-        NaN where the ply is not."""
-        _, _, inside = _core.evaluate_face(self.base_face, numpy.asarray(uv, dtype=float))
-        bottom = numpy.where(inside, self.ply.bottom, numpy.nan)
-        return bottom, numpy.where(inside, self.ply.top, numpy.nan)
+        NaN where the ply is not. It is there on its edges, too."""
+        places = numpy.asarray(uv, dtype=float)
+        there = covered(self.base_face, places)
+        bottom, top = (numpy.where(there, side, numpy.nan) for side in self.heights(places))
+        return bottom, top
+
+    def heights(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
+        """As levels, but of the surfaces of bottom and top, whether the ply is there or not."""
+        count = len(uv)
+        return numpy.full(count, self.ply.bottom), numpy.full(count, self.ply.top)
 
     def _owner(self) -> "PlyStack":
         if self._stack is None:
@@ -140,8 +148,9 @@ class PlyStack:
         return Part.makeCompound(self.ply_solids() if solids else [ply.face for ply in self.plies])
 
     def ply_solids(self) -> "Tuple[Part.Solid, ...]":
-        """The plies as valid, closed solids, from the tool outwards; neighbours share the face between them, so there is
-        no gap. Raises OffsetError where a side has no surface."""
+        """The plies as valid, closed solids, from the tool outwards. In a stack without boundaries neighbours share the
+        face between them, so there is no gap; in one with boundaries every solid has faces of its own, and pockets of
+        resin are open beside the ends of plies. Raises OffsetError where a side has no surface."""
         return self._ply_solids
 
     def material_solids(self) -> Tuple[MaterialSolid, ...]:
@@ -160,31 +169,38 @@ class PlyStack:
         integrals over the lay-up face, not from a mesh; computed when first asked for."""
         return self._mass_properties
 
-    def fibre_directions(self, ply: Union[int, StackPly], uv: Any, axes: Rosette) -> "numpy.ndarray[Any, Any]":
+    def fibre_directions(self, ply: Union[int, StackPly], uv: Any, axes: Rosettes) -> "numpy.ndarray[Any, Any]":
         """The unit vectors along the fibres of a ply (of a fabric, the warp).
 
         Args:
             ply: a StackPly, or its number from 1.
             uv: array (n, 2) of parameters of the lay-up face, which are those of every ply's surface too.
-            axes: the Rosette that the ply's angle refers to; it says how the axes are transferred.
+            axes: the Rosette that the ply's angle refers to; it says how the axes are transferred. Where the layup's rows
+                name several rosettes, all of them: {"name": Rosette}, with "" for rows that name none.
 
         Returns:
             array (n, 3), tangent to the ply.
 
         Raises:
-            ValueError: the rosette's first axis stands on the surface at one of the places.
+            ValueError: the rosette's first axis stands on the surface at one of the places, there is no such ply, or one
+                Rosette is given for plies of several.
+            TypeError: an argument is of another kind.
         """
         number = ply.ply.number if isinstance(ply, StackPly) else ply
+        if isinstance(number, bool) or not isinstance(number, Integral):
+            raise TypeError(f"ply must be a StackPly or its number from 1; it is {ply!r}.")
         if not 1 <= number <= len(self.plies):
             raise ValueError(f"The stack has plies 1 to {len(self.plies)}; there is no ply {number}.")
-        return fibre_directions(self.base_face, uv, axes, self.plies[number - 1].ply.ply.angle)
+        physical = [each.ply for each in self.plies]
+        row = physical[number - 1].ply
+        return fibre_directions(self.base_face, uv, rosette_of(axes, row.rosette, physical), row.angle)
 
     def thickness(self, places: Any) -> "numpy.ndarray[Any, Any]":
         """The thickness of all plies in mm at places of the lay-up face, 0 beside it.
 
         Args:
             places: array (n, 2) of parameters, or (n, 3) of points in mm, each of which stands for the nearest point of
-                the face's surface.
+                the face's surface. The face's edges belong to it; a point past the surface's end is beside it.
 
         Returns:
             array (n,).
@@ -313,6 +329,7 @@ def stack_plies(
         LayupError: the layup is wrong, has no active ply, or a ply has a boundary that is not among `boundaries`.
         OffsetError: a distance of the stack was refused; says which, why, where, and what would work.
         ValueError: an argument is out of its range.
+        TypeError: an argument is of another kind.
     """
     if surface not in SURFACES:
         raise ValueError(f"surface must be one of {', '.join(SURFACES)}; it is {surface!r}.")
@@ -320,10 +337,11 @@ def stack_plies(
     known = named_boundaries(boundaries)
     check_names(layup, tuple(known))
     plies = _physical_plies(layup)
+    ramp, kept_inside = drop_off_of(drop_off), insets(plies, stagger)
     if any(ply.ply.boundary for ply in plies):
         from .partial_stack import Laying, lay_partial_plies
 
-        how = Laying(millimetres(tolerance, "tolerance"), max_degree, surface, drop_off, stagger, progress)
+        how = Laying(millimetres(tolerance, "tolerance"), max_degree, surface, ramp, kept_inside, progress)
         stack: PlyStack = lay_partial_plies(face, layup, plies, known, how)
         if solids:
             stack.ply_solids()

@@ -8,11 +8,14 @@ from typing import Any, TextIO
 from ..each_face import choose, refusal_line
 from ..errors import OffsetError
 from ..export import export_ply_book
+from ..export.calculix import check_section
+from ..export.fibres import ONE_ROSETTE
 from ..export.pictures import require_matplotlib
 from ..export.step import SCHEMAS
 from ..files import format_of, read_faces, write_json
-from ..layup import read_layup
+from ..layup import Layup, read_layup
 from ..replacing import FileError
+from ..rosette import check_one_rosette
 from ..stack import SURFACES, PlyStack, stack_plies
 from . import CANCELLED, DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
@@ -54,6 +57,7 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     """Carries the command out."""
     _check_arguments(arguments)
     layup = read_layup(arguments.layup)
+    _check_layup(arguments, layup)
     bounded = boundary_arguments(arguments)
     ((number, face),) = choose(read_faces(arguments.input), arguments.face, arguments.input)
     try:
@@ -96,6 +100,15 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     texts = [getattr(arguments, option) for option in TEXTS]
     sources = [arguments.input, arguments.layup] + ([arguments.boundaries] if arguments.boundaries else [])
     check_results(sources, [arguments.output, arguments.report, *texts])
+
+
+def _check_layup(arguments: argparse.Namespace, layup: Layup) -> None:
+    """Finds out before the work whether the texts that are asked for can hold the layup."""
+    plies = layup.physical_plies()
+    if arguments.calculix is not None:
+        check_section(plies)
+    if arguments.book is not None:
+        check_one_rosette(plies, ONE_ROSETTE)
 
 
 def _write(stack: PlyStack, arguments: argparse.Namespace, err: TextIO) -> None:

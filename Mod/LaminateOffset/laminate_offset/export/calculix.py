@@ -11,11 +11,11 @@ import os
 import re
 from typing import TYPE_CHECKING, Dict, Iterable, List, Optional
 
-from ..layup import LayupError
+from ..layup import LayupError, PhysicalPly
 from ..layup.text_files import write_text
 from ..replacing import FileError
-from ..rosette import Rosette
-from .fibres import Axes, axes_of
+from ..rosette import Rosette, check_one_rosette
+from .fibres import ONE_ROSETTE, Axes, axes_of
 
 if TYPE_CHECKING:
     from ..stack import PlyStack
@@ -43,13 +43,9 @@ def export_calculix(
     Raises:
         FileError: the file cannot be written.
         ValueError: element_set is no name that CalculiX takes, or a ply has a boundary: one section is the same on all of
-            its elements.
+            its elements; or rows of the layup name different rosettes.
     """
-    bounded = [ply.ply.name for ply in stack.plies if ply.ply.ply.boundary]
-    if bounded:
-        raise ValueError(
-            f"A section is the same on all of its elements; {', '.join(bounded)} cover parts of the face only."
-        )
+    check_section(ply.ply for ply in stack.plies)
     path = os.fspath(path)
     if names([element_set])[element_set] != element_set.upper():
         raise ValueError(f"element_set must be letters, digits, - and _, at most {NAME_LENGTH}; it is {element_set!r}.")
@@ -57,6 +53,17 @@ def export_calculix(
         write_text(path, calculix_text(stack, element_set, axes_of(stack, rosette)))
     except LayupError as error:
         raise FileError(str(error)) from error
+
+
+def check_section(plies: Iterable[PhysicalPly]) -> None:
+    """Raises ValueError for plies that one section cannot hold."""
+    plies = tuple(plies)
+    bounded = [ply.name for ply in plies if ply.ply.boundary]
+    if bounded:
+        raise ValueError(
+            f"A section is the same on all of its elements; {', '.join(bounded)} cover parts of the face only."
+        )
+    check_one_rosette(plies, ONE_ROSETTE)
 
 
 def calculix_text(stack: "PlyStack", element_set: str, axes: Axes) -> str:

@@ -7,13 +7,16 @@ import numpy
 
 from .. import _core
 from ..api import nearest_point
-from ..rosette import Rosette
+from ..rosette import Rosette, check_one_rosette
 from ..rosette import fibre_directions as directions_on
 
 if TYPE_CHECKING:
     from ..stack import PlyStack
 
 Array = Any  # a numpy array of floats
+
+# What to do about plies of different rosettes, which pictures and sections cannot show.
+ONE_ROSETTE = "write plies of one rosette only, with their angles counted from it"
 
 # A model's x axis that stands on the surface more steeply than this (the cosine) does not serve as the first axis.
 STEEP = 0.9
@@ -31,8 +34,9 @@ def axes_of(stack: "PlyStack", rosette: Optional[Rosette] = None) -> Axes:
     """The axes of a rosette where it stands on the lay-up surface.
 
     Without a rosette, the first axis is the model's x axis projected onto the surface at the middle of its parameters, or
-    the y axis where x stands too steeply on it there.
+    the y axis where x stands too steeply on it there. Raises ValueError where rows of the layup name different rosettes.
     """
+    check_one_rosette((ply.ply for ply in stack.plies), ONE_ROSETTE)
     face = stack.base_face
     chosen = _usual_rosette(face) if rosette is None else rosette
     uv = nearest_point(face, [chosen.origin]).uv

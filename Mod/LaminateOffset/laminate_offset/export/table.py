@@ -21,6 +21,7 @@ HEADER = (
     "middle_mm",
     "top_mm",
     "boundary",
+    "over_ramp",
     "area_mm2",
     "volume_mm3",
     "mass_kg",
@@ -46,7 +47,8 @@ def _row(ply: "StackPly", measures: Optional[PlyProperties]) -> Tuple[Any, ...]:
     levels = (physical.thickness, physical.bottom, physical.middle, physical.top)
     sizes = (None, None, None) if measures is None else (measures.area, measures.volume, measures.mass)
     errors = (ply.report.certified_error, ply.report.edge_error)
-    return (physical.number, physical.name, row.material, row.angle, *levels, row.boundary, *sizes, *errors)
+    laid = (row.boundary, "yes" if ply.over_ramp else "no")
+    return (physical.number, physical.name, row.material, row.angle, *levels, *laid, *sizes, *errors)
 
 
 def _cell(value: Any) -> str:
