@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "self_intersection.h"
 
+#include "meeting_step.h"
 #include "patch_tree.h"
 
 #include <Eigen/Dense>
@@ -175,8 +176,6 @@ private:
     template <typename Surface>
     [[nodiscard]] std::optional<Place> solve(const Surface &surface, const Place &start) const
     {
-        const Eigen::Vector4d scale(m_box.umax - m_box.umin, m_box.vmax - m_box.vmin, m_box.umax - m_box.umin,
-                                    m_box.vmax - m_box.vmin);
         Place place = start;
         double before = std::numeric_limits<double>::infinity();
         for (int step = 0; step < newton_steps; ++step)
@@ -189,16 +188,7 @@ private:
             if (residual.norm() > before)
                 return std::nullopt;
             before = step < free_newton_steps ? before : 0.5 * residual.norm();
-            Eigen::Matrix<double, 3, 4> jacobian;
-            jacobian << a.u, a.v, -b.u, -b.v;
-            jacobian *= scale.asDiagonal();
-            const Eigen::Vector4d move = jacobian.completeOrthogonalDecomposition().solve(residual);
-            place -= scale.cwiseProduct(move);
-            for (const int k : {0, 2})
-            {
-                place[k] = std::clamp(place[k], m_box.umin, m_box.umax);
-                place[k + 1] = std::clamp(place[k + 1], m_box.vmin, m_box.vmax);
-            }
+            step_together(a, b, m_box, place);
         }
         return std::nullopt;
     }

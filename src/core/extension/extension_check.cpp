@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "extension_check.h"
 
+#include "../analysis/meeting_step.h"
 #include "../analysis/patch_tree.h"
 
 #include <Eigen/Dense>
@@ -224,24 +225,13 @@ private:
     //! Newton's method with shortest steps for S(p) = S(q).
     [[nodiscard]] std::optional<Place> solve(Place place) const
     {
-        const Place scale(range_u(), range_v(), range_u(), range_v());
         for (int step = 0; step < newton_steps; ++step)
         {
             const SurfaceJet a = jet(place.x(), place.y());
             const SurfaceJet b = jet(place.z(), place.w());
-            const Eigen::Vector3d residual = a.s - b.s;
-            if (residual.norm() <= coincidence * m_size)
+            if ((a.s - b.s).norm() <= coincidence * m_size)
                 return place;
-            Eigen::Matrix<double, 3, 4> jacobian;
-            jacobian << a.u, a.v, -b.u, -b.v;
-            jacobian *= scale.asDiagonal();
-            const Place move = jacobian.completeOrthogonalDecomposition().solve(residual);
-            place -= scale.cwiseProduct(move);
-            for (const int k : {0, 2})
-            {
-                place[k] = std::clamp(place[k], m_whole.umin, m_whole.umax);
-                place[k + 1] = std::clamp(place[k + 1], m_whole.vmin, m_whole.vmax);
-            }
+            step_together(a, b, m_whole, place);
         }
         return std::nullopt;
     }

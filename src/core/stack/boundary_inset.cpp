@@ -241,14 +241,8 @@ private:
     //! Moved too far, a closed wire turns inside out, and parts of any wire come too near to where it was.
     [[nodiscard]] std::optional<Failure> vanished() const
     {
-        std::vector<Vector2> own, moved;
-        for (const EdgePath &edge : m_edges)
-            for (int i = 0; i < polygon_points; ++i)
-                own.push_back(edge(static_cast<double>(i) / polygon_points));
-        own.push_back(m_edges.back()(1.0));
-        for (const Part &part : m_parts)
-            for (int i = 0; i < polygon_points; ++i)
-                moved.push_back(part.at(static_cast<double>(i) / polygon_points));
+        const std::vector<Vector2> own = traced(m_edges, [](const EdgePath &edge, double t) { return edge(t); });
+        const std::vector<Vector2> moved = traced(m_parts, [](const Part &part, double t) { return part.at(t); });
         bool lost = m_closed && !(turning(own) * turning(moved) > 0.0);
         std::vector<Eigen::Vector3d> places;
         for (const Vector2 &uv : own)
@@ -262,6 +256,17 @@ private:
                        fmt::format("Moved by {:.4g} mm it turns inside out, or nothing is left of it; take a smaller "
                                    "distance.",
                                    m_distance));
+    }
+
+    //! Points along curves that go on from each other, both ends included.
+    template <class Curve, class At> static std::vector<Vector2> traced(const std::vector<Curve> &curves, const At &at)
+    {
+        std::vector<Vector2> points;
+        for (const Curve &curve : curves)
+            for (int i = 0; i < polygon_points; ++i)
+                points.push_back(at(curve, static_cast<double>(i) / polygon_points));
+        points.push_back(at(curves.back(), 1.0));
+        return points;
     }
 
     //! Twice the area to the left.
@@ -439,11 +444,7 @@ private:
     //! Does the whole wire cross itself?
     [[nodiscard]] std::optional<Failure> crossing() const
     {
-        std::vector<Vector2> points;
-        for (const Part &part : m_parts)
-            for (int i = 0; i < polygon_points; ++i)
-                points.push_back(part.at(static_cast<double>(i) / polygon_points));
-        points.push_back(m_parts.back().at(1.0));
+        const std::vector<Vector2> points = traced(m_parts, [](const Part &part, double t) { return part.at(t); });
         const std::size_t count = points.size() - 1;
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = i + 2; j < count; ++j)

@@ -14,7 +14,9 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -121,5 +123,15 @@ private:
 
 //! The range [first, last] cut where one of the two is no longer the same analytic function; increasing, with both ends.
 std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last);
+
+//! The largest of what `cover` (low, high) gives between neighbouring ends; infinite as soon as one is.
+template <class Cover> double largest_between(const std::vector<double> &ends, const Cover &cover)
+{
+    double worst = 0.0;
+    for (std::size_t i = 0; i + 1 < ends.size() && worst < std::numeric_limits<double>::infinity(); ++i)
+        if (ends[i + 1] > ends[i])
+            worst = std::max(worst, cover(ends[i], ends[i + 1]));
+    return worst;
+}
 
 } // namespace laminate_offset

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace laminate_offset
 {
@@ -28,6 +29,29 @@ constexpr double least_order = 3.0;
 // No part of the range gets knots more thinly than this part of the average.
 constexpr double least_density = 0.1;
 
+//! The fit over some knots, with the distance at every sample.
+struct Sampled
+{
+    CurveFit fit;
+    std::vector<double> parameters;
+    Eigen::VectorXd off;
+};
+
+std::optional<Sampled> fit_over(const SmoothCurve &curve, KnotVector knots)
+{
+    Sampled result;
+    result.parameters = span_parameters(knots, curve.breaks, knots.degree + 1 + spare_samples, samples_per_interval);
+    const auto solver = LeastSquaresFit::make(knots, result.parameters);
+    if (!solver)
+        return std::nullopt;
+    const RowMatrix samples = curve.sample(result.parameters);
+    result.fit.knots = std::move(knots);
+    result.fit.poles = solver->solve(samples);
+    result.off = solver->residual(result.fit.poles, samples).rowwise().norm();
+    result.fit.error = result.off.maxCoeff();
+    return result;
+}
+
 class SmoothFitter
 {
 public:
@@ -48,17 +72,9 @@ public:
 private:
     [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior) const
     {
-        CurveFit result;
-        result.knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
-        const std::vector<double> parameters =
-            span_parameters(result.knots, m_curve.breaks, degree + 1 + spare_samples, samples_per_interval);
-        const auto solver = LeastSquaresFit::make(result.knots, parameters);
-        if (!solver)
-            return std::nullopt;
-        const RowMatrix samples = m_curve.sample(parameters);
-        result.poles = solver->solve(samples);
-        result.error = std::sqrt(solver->residual(result.poles, samples).rowwise().squaredNorm().maxCoeff());
-        return result;
+        std::optional<Sampled> made =
+            fit_over(m_curve, clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior));
+        return made ? std::optional<CurveFit>(std::move(made->fit)) : std::nullopt;
     }
 
     //! Fits with more or fewer knots, each time better placed, until the count fits the tolerance.
@@ -218,29 +234,22 @@ std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<D
     std::vector<int> spans(ends.size() - 1, 1);
     for (int i = 0; i < most_fits; ++i)
     {
-        CurveFit result;
-        result.knots = joined_knots(ends, joins, spans);
-        if (result.knots.pole_count() > most_joined_poles)
+        KnotVector knots = joined_knots(ends, joins, spans);
+        if (knots.pole_count() > most_joined_poles)
             return std::nullopt;
-        const std::vector<double> parameters =
-            span_parameters(result.knots, curve.breaks, joined_degree + 1 + spare_samples, samples_per_interval);
-        const auto solver = LeastSquaresFit::make(result.knots, parameters);
-        if (!solver)
+        std::optional<Sampled> made = fit_over(curve, std::move(knots));
+        if (!made)
             return std::nullopt;
-        const RowMatrix samples = curve.sample(parameters);
-        result.poles = solver->solve(samples);
-        const Eigen::VectorXd off = solver->residual(result.poles, samples).rowwise().norm();
-        result.error = off.maxCoeff();
         std::vector<double> errors(spans.size(), 0.0);
         std::size_t interval = 0;
-        for (std::size_t k = 0; k < parameters.size(); ++k)
+        for (std::size_t k = 0; k < made->parameters.size(); ++k)
         {
-            while (interval + 1 < errors.size() && parameters[k] > ends[interval + 1])
+            while (interval + 1 < errors.size() && made->parameters[k] > ends[interval + 1])
                 ++interval;
-            errors[interval] = std::max(errors[interval], off[static_cast<Eigen::Index>(k)]);
+            errors[interval] = std::max(errors[interval], made->off[static_cast<Eigen::Index>(k)]);
         }
         if (!split_further(errors, tolerance, spans))
-            return result;
+            return std::move(made->fit);
     }
     return std::nullopt;
 }

@@ -48,12 +48,8 @@ public:
 
     [[nodiscard]] double prove()
     {
-        const std::vector<double> ends = analytic_ends(m_proof.pcurve, m_proof.curve, m_proof.first, m_proof.last);
-        double worst = 0.0;
-        for (std::size_t i = 0; i + 1 < ends.size() && worst < infinity; ++i)
-            if (ends[i + 1] > ends[i])
-                worst = std::max(worst, cover(ends[i], ends[i + 1], 0));
-        return worst;
+        return largest_between(analytic_ends(m_proof.pcurve, m_proof.curve, m_proof.first, m_proof.last),
+                               [this](double low, double high) { return cover(low, high, 0); });
     }
 
 private:
