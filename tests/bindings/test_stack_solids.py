@@ -62,6 +62,33 @@ def test_mass_on_a_sphere_and_on_a_plane_with_a_hole() -> None:
         assert (ply.center - Vector(15.0, 15.0, height)).Length < 1e-9
 
 
+@pytest.mark.parametrize("kind", ["sphere", "torus"])
+@pytest.mark.parametrize("inwards", [False, True])
+@pytest.mark.parametrize("direction", ["normal", "reversed"])
+def test_solids_of_closed_faces_have_an_outer_and_an_inner_shell(kind: str, inwards: bool, direction: str) -> None:
+    whole = Part.makeSphere(100.0) if kind == "sphere" else Part.makeTorus(200.0, 100.0)
+    whole.Placement = FreeCAD.Placement(Vector(500.0, -40.0, 7.0), FreeCAD.Rotation(Vector(1.0, 2.0, 3.0), 40.0))
+    face = whole.Faces[0].reversed() if inwards else whole.Faces[0]
+    stack = lo.stack_plies(face, sandwich(), direction=direction, solids=True)
+    sign = 1.0 if (direction == "normal") != inwards else -1.0
+
+    def held(distance: float) -> float:
+        radius = 100.0 + sign * distance
+        return 4.0 / 3.0 * math.pi * radius**3 if kind == "sphere" else 2.0 * math.pi**2 * 200.0 * radius**2
+
+    spans = [(abs(ply.ply.bottom), abs(ply.ply.top), ply.solid) for ply in stack.plies]
+    spans.append((0.0, stack.report["thickness"], stack.laminate_solid()))
+    for low, high, solid in spans:
+        assert solid.isValid() and solid.isClosed() and len(solid.Shells) == 2 and len(solid.Faces) == 2
+        assert solid.Volume == pytest.approx(abs(held(high) - held(low)), rel=1e-6)
+        outer, inner = solid.Shells
+        assert outer.BoundBox.DiagonalLength > inner.BoundBox.DiagonalLength
+        radius = 100.0 + 0.5 * sign * (low + high)
+        local = Vector(0.0, 0.0, radius) if kind == "sphere" else Vector(200.0, 0.0, radius)
+        assert solid.isInside(whole.Placement.multVec(local), 1e-6, False)
+        assert not solid.isInside(whole.Placement.multVec(local * (90.0 / radius)), 1e-6, False)
+
+
 def test_a_material_without_figures_has_no_mass() -> None:
     layup = lo.Layup((lo.Ply("A", "tape"), lo.Ply("B", "paper", 0.1)), (TAPE,))
     figures = lo.stack_plies(sample_shapes.bspline_face(), layup).mass_properties()

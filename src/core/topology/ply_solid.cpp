@@ -5,8 +5,10 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Line.hxx>
 #include <Precision.hxx>
@@ -172,22 +174,54 @@ class SolidBuilder
 public:
     SolidBuilder(const Level &low, const Level &high) : m_low(low), m_high(high) {}
 
+    //! Faces that close by themselves make a shell each.
     TopoDS_Solid build(const std::vector<Side> &sides)
     {
-        TopoDS_Shell shell;
-        m_builder.MakeShell(shell);
-        m_builder.Add(shell, m_high.face);
-        m_builder.Add(shell, m_low.face.Reversed());
-        for (const Side &side : sides)
-            m_builder.Add(shell, side_face(side));
-        shell.Closed(true);
         TopoDS_Solid solid;
         m_builder.MakeSolid(solid);
-        m_builder.Add(solid, shell);
+        TopoDS_Shell shell = shell_of(m_high.face);
+        const TopoDS_Face low = TopoDS::Face(m_low.face.Reversed());
+        if (sides.empty())
+        {
+            TopoDS_Shell other = shell_of(low);
+            if (!looks_outwards(shell))
+                std::swap(shell, other);
+            close(solid, shell);
+            close(solid, other);
+            return solid;
+        }
+        m_builder.Add(shell, low);
+        for (const Side &side : sides)
+            m_builder.Add(shell, side_face(side));
+        close(solid, shell);
         return solid;
     }
 
 private:
+    TopoDS_Shell shell_of(const TopoDS_Face &face)
+    {
+        TopoDS_Shell shell;
+        m_builder.MakeShell(shell);
+        m_builder.Add(shell, face);
+        return shell;
+    }
+
+    void close(TopoDS_Solid &solid, TopoDS_Shell &shell)
+    {
+        shell.Closed(true);
+        m_builder.Add(solid, shell);
+    }
+
+    //! Away from what the closed shell holds?
+    static bool looks_outwards(const TopoDS_Shell &shell)
+    {
+        GProp_GProps properties;
+        BRepGProp::VolumeProperties(shell, properties);
+        return properties.Mass() > 0.0;
+    }
+
+    static double edge_tolerance(double error) { return std::max(Precision::Confusion(), error); }
+
     //! A side's face is bounded by the lower curve, the ruling at its end, the upper curve backwards and the ruling at
     //! its start, which runs round (along the curves) x (from low to high).
     TopoDS_Face side_face(const Side &side)
@@ -195,8 +229,8 @@ private:
         const TopLoc_Location here;
         TopoDS_Face face;
         m_builder.MakeFace(face, side.on.surface, here, Precision::Confusion());
-        m_builder.UpdateEdge(side.low, side.on.low, side.on.surface, here, Precision::Confusion());
-        m_builder.UpdateEdge(side.high, side.on.high, side.on.surface, here, Precision::Confusion());
+        m_builder.UpdateEdge(side.low, side.on.low, side.on.surface, here, edge_tolerance(side.on.low_error));
+        m_builder.UpdateEdge(side.high, side.on.high, side.on.surface, here, edge_tolerance(side.on.high_error));
         const TopAbs_Orientation turn = side.on.flipped ? TopAbs_REVERSED : TopAbs_FORWARD;
         const bool closed = end_of(side.low, false).IsSame(end_of(side.low, true));
         TopoDS_Wire wire = empty_wire();

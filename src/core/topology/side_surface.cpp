@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "side_surface.h"
 
+#include "../spline/conic_functions.h"
+
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomConvert.hxx>
@@ -10,6 +12,7 @@
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -35,6 +38,9 @@ constexpr double rounding = 1e-12;
 constexpr double same_knot = 1e-12;
 // Lines and conics that keep their distance at so many places keep it everywhere.
 constexpr int probes = 9;
+// How near a spline comes to a circle [mm], or as a part of its radius where that is more.
+constexpr double conic_error = 1e-8;
+constexpr double relative_conic_error = 1e-12;
 
 Handle(Geom_Curve) unwrapped(Handle(Geom_Curve) curve)
 {
@@ -159,9 +165,40 @@ std::optional<SideSurface> round_side(const Pair &pair)
                        along_u(0.0, height / std::cos(angle)), height < 0.0};
 }
 
-//! The curve over the range as a clamped B-spline with the same parameter; null where that would change it.
-Handle(Geom_BSplineCurve) as_spline(const Handle(Geom_Curve) & curve, double first, double last)
+//! A spline with the parameter of a circle or an ellipse, within the error [mm]; null where there is none.
+Handle(Geom_BSplineCurve)
+    conic_as_spline(const Geom_Conic &conic, double major, double minor, double first, double last, double &error)
 {
+    constexpr double any = 1.0; // the slope and the bend do not count
+    const double wanted = std::max(conic_error / major, relative_conic_error);
+    const std::optional<ConicSpline> unit = conic_spline(ConicKind::Circle, first, last, {wanted, any, any});
+    if (!unit)
+        return {};
+    error = unit->errors.value * major;
+    const gp_Ax2 &axes = conic.Position();
+    TColgp_Array1OfPnt poles(1, static_cast<int>(unit->poles.size()));
+    for (std::size_t i = 0; i < unit->poles.size(); ++i)
+        poles(static_cast<int>(i) + 1) = axes.Location().XYZ() + major * unit->poles[i].x() * axes.XDirection().XYZ() +
+                                         minor * unit->poles[i].y() * axes.YDirection().XYZ();
+    const std::vector<Knot> distinct = unit->knots.distinct();
+    TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
+    TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
+    for (std::size_t i = 0; i < distinct.size(); ++i)
+    {
+        knots(static_cast<int>(i) + 1) = distinct[i].parameter;
+        multiplicities(static_cast<int>(i) + 1) = distinct[i].multiplicity;
+    }
+    return new Geom_BSplineCurve(poles, knots, multiplicities, unit->knots.degree);
+}
+
+//! The curve over the range as a clamped B-spline with the same parameter, within the error [mm]; null for a curve of
+//! another kind.
+Handle(Geom_BSplineCurve) as_spline(const Handle(Geom_Curve) & curve, double first, double last, double &error)
+{
+    if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull())
+        return conic_as_spline(*circle, circle->Radius(), circle->Radius(), first, last, error);
+    if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve); !ellipse.IsNull())
+        return conic_as_spline(*ellipse, ellipse->MajorRadius(), ellipse->MinorRadius(), first, last, error);
     if (!is_spline(curve) && !curve->IsKind(STANDARD_TYPE(Geom_Line)))
         return {};
     const bool line = curve->IsKind(STANDARD_TYPE(Geom_Line));
@@ -183,8 +220,10 @@ void take_knots(const Handle(Geom_BSplineCurve) & to, const Handle(Geom_BSplineC
 //! The B-spline of degree 1 from one curve to the other.
 std::optional<SideSurface> ruled(const Pair &pair)
 {
-    const Handle(Geom_BSplineCurve) low = as_spline(pair.low, pair.first, pair.last);
-    const Handle(Geom_BSplineCurve) high = as_spline(pair.high, pair.first, pair.last);
+    double low_error = 0.0;
+    double high_error = 0.0;
+    const Handle(Geom_BSplineCurve) low = as_spline(pair.low, pair.first, pair.last, low_error);
+    const Handle(Geom_BSplineCurve) high = as_spline(pair.high, pair.first, pair.last, high_error);
     if (low.IsNull() || high.IsNull())
         return std::nullopt;
     const int degree = std::max(low->Degree(), high->Degree());
@@ -216,7 +255,7 @@ std::optional<SideSurface> ruled(const Pair &pair)
     const Handle(Geom_Surface) surface =
         rational ? new Geom_BSplineSurface(poles, weights, along, across, multiplicities, ends, degree, 1)
                  : new Geom_BSplineSurface(poles, along, across, multiplicities, ends, degree, 1);
-    return SideSurface{surface, along_u(0.0, 0.0), along_u(0.0, 1.0)};
+    return SideSurface{surface, along_u(0.0, 0.0), along_u(0.0, 1.0), false, false, low_error, high_error};
 }
 
 } // namespace
