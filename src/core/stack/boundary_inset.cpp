@@ -34,8 +34,9 @@ constexpr int samples_per_span = 5;
 constexpr int checks_per_span = 3;
 constexpr int most_spans = 256;
 constexpr int polygon_points = 96; // of a curve, where crossings are looked for
-// A moved curve may be nearer in space to where it was than along the face, but by no more than this share says.
-constexpr double nearest_share = 0.75;
+// No place of a moved curve may be nearer to the boundary than that, as a part of the shortest move of one of its own
+// places: distances are measured in space, to chords.
+constexpr double nearest_share = 0.97;
 
 using Vector2 = Eigen::Vector2d;
 
@@ -172,11 +173,10 @@ public:
 
     Result<std::vector<ImagePart>> parts(double &error)
     {
-        for (const EdgePath &edge : m_edges)
-            m_parts.push_back({[this, edge](double t) { return moved(edge, t, 0.0); }});
-        if (const std::optional<Failure> folded = fold())
+        if (const std::optional<Failure> folded = find_folded())
             return *folded;
-        join();
+        if (const std::optional<Failure> open = join_what_is_left())
+            return *open;
         if (const std::optional<Failure> lost = vanished())
             return *lost;
         if (!m_closed)
@@ -220,22 +220,109 @@ private:
         return m_walker.geodesic(edge(t), std::cos(angle) * side + std::sin(angle) * along, m_distance);
     }
 
-    //! Moved past its radius of curvature a curve runs backwards.
-    [[nodiscard]] std::optional<Failure> fold() const
+    //! Moved past its radius of curvature a curve runs backwards. One that does so all along, such as a fillet, is left
+    //! out; one that does so in part is refused.
+    [[nodiscard]] std::optional<Failure> find_folded()
     {
+        m_left_out.assign(m_edges.size(), false);
         for (std::size_t k = 0; k < m_edges.size(); ++k)
+        {
+            int backwards = 0;
+            Vector2 where = m_edges[k](0.5);
             for (int i = 0; i < polygon_points; ++i)
             {
                 const double t = static_cast<double>(i) / polygon_points, next = t + 1.0 / polygon_points;
                 const Eigen::Vector3d own = m_walker.point(m_edges[k](next)) - m_walker.point(m_edges[k](t));
-                const Eigen::Vector3d step = m_walker.point(m_parts[k].path(next)) - m_walker.point(m_parts[k].path(t));
-                if (!(own.dot(step) > 0.0))
-                    return refusal(m_input, Status::NotSupported, m_edges[k](t),
-                                   fmt::format("It cannot be moved inwards by {:.4g} mm, since it bends more sharply "
-                                               "there; take a smaller distance.",
-                                               m_distance));
+                const Eigen::Vector3d step =
+                    m_walker.point(moved(m_edges[k], next, 0.0)) - m_walker.point(moved(m_edges[k], t, 0.0));
+                if (own.dot(step) > 0.0)
+                    continue;
+                ++backwards;
+                where = m_edges[k](t);
             }
+            if (backwards > 0 && backwards < polygon_points)
+                return bends_too_sharply(where);
+            m_left_out[k] = backwards > 0;
+        }
         return std::nullopt;
+    }
+
+    [[nodiscard]] Failure bends_too_sharply(const Vector2 &where) const
+    {
+        return refusal(m_input, Status::NotSupported, where,
+                       fmt::format("It cannot be moved inwards by {:.4g} mm, since it bends more sharply there; take a "
+                                   "smaller distance.",
+                                   m_distance));
+    }
+
+    //! Cuts and bridges the moved curves. One of which nothing is left between its neighbours, such as a chamfer, is left
+    //! out, and its neighbours are cut where they meet.
+    [[nodiscard]] std::optional<Failure> join_what_is_left()
+    {
+        for (;;)
+        {
+            m_parts.clear();
+            m_sources.clear();
+            for (std::size_t k = 0; k < m_edges.size(); ++k)
+                if (!m_left_out[k])
+                {
+                    m_parts.push_back({[this, edge = m_edges[k]](double t) { return moved(edge, t, 0.0); }});
+                    m_sources.push_back(k);
+                }
+            if (m_parts.empty() || (!m_closed && m_left_out.front()))
+                return bends_too_sharply(m_edges.front()(0.5));
+            if (!m_closed && m_left_out.back())
+                return bends_too_sharply(m_edges.back()(0.5));
+            const auto left_out = std::count(m_left_out.begin(), m_left_out.end(), true);
+            std::vector<Part> joined;
+            if (const std::optional<Failure> open = join(joined))
+                return open;
+            for (std::size_t k = 0; k < m_parts.size(); ++k)
+                if (m_parts[k].last <= m_parts[k].first)
+                    m_left_out[m_sources[k]] = true;
+            if (std::count(m_left_out.begin(), m_left_out.end(), true) > left_out)
+                continue;
+            m_parts = std::move(joined);
+            return std::nullopt;
+        }
+    }
+
+    //! Does the boundary turn towards the side to which it is moved where one edge ends and the next begins?
+    [[nodiscard]] bool turns_inwards(std::size_t before, std::size_t after) const
+    {
+        return m_sign * corner_angle(before, after) > 0.0;
+    }
+
+    //! From the one's direction at its end to the other's at its start, to the left.
+    [[nodiscard]] double corner_angle(std::size_t before, std::size_t after) const
+    {
+        Eigen::Vector3d normal;
+        const Eigen::Vector3d from = tangent(m_edges[before], 1.0, normal);
+        const Eigen::Vector3d to = tangent(m_edges[after], 0.0, normal);
+        return std::atan2(from.cross(to).dot(normal), from.dot(to));
+    }
+
+    [[nodiscard]] double length_of(const EdgePath &edge) const
+    {
+        double length = 0.0;
+        for (int i = 0; i < polygon_points; ++i)
+            length += (m_walker.point(edge((i + 1.0) / polygon_points)) -
+                       m_walker.point(edge(static_cast<double>(i) / polygon_points)))
+                          .norm();
+        return length;
+    }
+
+    //! The least distance in space between a place of the boundary and where it is moved [mm].
+    [[nodiscard]] double shortest_move() const
+    {
+        double shortest = m_distance;
+        for (const EdgePath &edge : m_edges)
+            for (int i = 0; i <= polygon_points; ++i)
+            {
+                const double t = static_cast<double>(i) / polygon_points;
+                shortest = std::min(shortest, (m_walker.point(moved(edge, t, 0.0)) - m_walker.point(edge(t))).norm());
+            }
+        return shortest;
     }
 
     //! Moved too far, a closed wire turns inside out, and parts of any wire come too near to where it was.
@@ -244,12 +331,13 @@ private:
         const std::vector<Vector2> own = traced(m_edges, [](const EdgePath &edge, double t) { return edge(t); });
         const std::vector<Vector2> moved = traced(m_parts, [](const Part &part, double t) { return part.at(t); });
         bool lost = m_closed && !(turning(own) * turning(moved) > 0.0);
+        const double nearest = nearest_share * shortest_move();
         std::vector<Eigen::Vector3d> places;
         for (const Vector2 &uv : own)
             places.push_back(m_walker.point(uv));
         for (std::size_t i = 0; i < moved.size() && !lost; ++i)
             for (std::size_t k = 0; k + 1 < places.size() && !lost; ++k)
-                lost = distance(m_walker.point(moved[i]), places[k], places[k + 1]) < nearest_share * m_distance;
+                lost = distance(m_walker.point(moved[i]), places[k], places[k + 1]) < nearest;
         if (!lost)
             return std::nullopt;
         return refusal(m_input, Status::NotSupported, own.front(),
@@ -290,10 +378,11 @@ private:
         return (point - a - t * along).norm();
     }
 
-    //! Cuts or bridges the moved curves at corners.
-    void join()
+    //! Cuts or bridges the moved curves at corners. Where they would have to be cut but do not meet, the shorter one is marked
+    //! to be left out.
+    //! \param joined becomes the curves with the bridges between them.
+    [[nodiscard]] std::optional<Failure> join(std::vector<Part> &joined)
     {
-        std::vector<Part> joined;
         const std::size_t count = m_parts.size();
         std::vector<std::optional<Part>> bridges(count);
         for (std::size_t k = 0; k < count; ++k)
@@ -302,10 +391,15 @@ private:
             if (next == 0 && !m_closed)
                 continue;
             const Eigen::Vector3d gap = m_walker.point(m_parts[k].path(1.0)) - m_walker.point(m_parts[next].path(0.0));
-            if (gap.norm() <= m_tolerance)
+            if (gap.norm() <= m_tolerance || cut(m_parts[k], m_parts[next]))
                 continue;
-            if (!cut(m_parts[k], m_parts[next]))
-                bridges[k] = bridge(k, next);
+            const std::size_t after = (m_sources[k] + 1) % m_edges.size();
+            if (after != m_sources[next])
+                return bends_too_sharply(m_edges[after](0.5));
+            if (turns_inwards(m_sources[k], after))
+                m_left_out[length_of(m_edges[m_sources[k]]) < length_of(m_edges[after]) ? m_sources[k] : after] = true;
+            else
+                bridges[k] = bridge(m_sources[k], after);
         }
         for (std::size_t k = 0; k < count; ++k)
         {
@@ -313,16 +407,17 @@ private:
             if (bridges[k])
                 joined.push_back(*bridges[k]);
         }
-        m_parts = std::move(joined);
+        return std::nullopt;
     }
 
-    //! Lets two parts end and begin where they cross. False where they do not.
+    //! Lets two parts end and begin where their whole curves cross, which may leave nothing of a short one. False where
+    //! they do not cross.
     [[nodiscard]] bool cut(Part &before, Part &after) const
     {
         const auto places = [](const Part &part) {
             std::vector<Vector2> points;
             for (int i = 0; i <= polygon_points; ++i)
-                points.push_back(part.at(static_cast<double>(i) / polygon_points));
+                points.push_back(part.path(static_cast<double>(i) / polygon_points));
             return points;
         };
         const std::vector<Vector2> a = places(before), b = places(after);
@@ -338,9 +433,8 @@ private:
                 s = (i + s) / polygon_points;
                 t = (j + t) / polygon_points;
                 refine(before, after, s, t);
-                const double last = before.first + s * (before.last - before.first);
-                after.first += t * (after.last - after.first);
-                before.last = last;
+                before.last = s;
+                after.first = t;
                 return true;
             }
         return false;
@@ -364,9 +458,9 @@ private:
         constexpr double step = 1e-5;
         for (int i = 0; i < 8; ++i)
         {
-            const Vector2 gap = after.at(t) - before.at(s);
-            const Vector2 x = (before.at(s + step) - before.at(s - step)) / (2.0 * step);
-            const Vector2 y = (after.at(t + step) - after.at(t - step)) / (2.0 * step);
+            const Vector2 gap = after.path(t) - before.path(s);
+            const Vector2 x = (before.path(s + step) - before.path(s - step)) / (2.0 * step);
+            const Vector2 y = (after.path(t + step) - after.path(t - step)) / (2.0 * step);
             const double turn = x.x() * y.y() - x.y() * y.x();
             if (turn == 0.0)
                 return;
@@ -378,13 +472,9 @@ private:
     //! The ends of the geodesics from a corner, from one curve's direction to the other's.
     [[nodiscard]] Part bridge(std::size_t before, std::size_t after) const
     {
-        Eigen::Vector3d normal;
-        const Eigen::Vector3d from = tangent(m_edges[before], 1.0, normal);
-        const Eigen::Vector3d to = tangent(m_edges[after], 0.0, normal);
-        const double angle = std::atan2(from.cross(to).dot(normal), from.dot(to));
         // turning the curve's direction to the left turns its left side backwards
-        return {
-            [this, edge = m_edges[before], sweep = -m_sign * angle](double t) { return moved(edge, 1.0, t * sweep); }};
+        const double sweep = -m_sign * corner_angle(before, after);
+        return {[this, edge = m_edges[before], sweep](double t) { return moved(edge, 1.0, t * sweep); }};
     }
 
     [[nodiscard]] bool inside(const Vector2 &uv) const
@@ -528,7 +618,9 @@ private:
     double m_tolerance;
     bool m_closed = false;
     std::vector<EdgePath> m_edges;
+    std::vector<bool> m_left_out; //!< of each edge: nothing of it is left when it is moved
     std::vector<Part> m_parts;
+    std::vector<std::size_t> m_sources; //!< the edge of each part, before they are joined
 };
 
 } // namespace

@@ -5,7 +5,8 @@
 //!
 //! From every place of a curve a geodesic of that length starts at right angles. Its ends are fitted by a pcurve, checked
 //! between its knots against further geodesics. At a corner the two curves are cut where they meet, or joined by the ends
-//! of geodesics in all directions between. An open curve goes on straight in the parameters up to the end of the face's
+//! of geodesics in all directions between. A fillet of a smaller radius, or a chamfer that the cuts use up, is left out, and its
+//! neighbours are cut where they meet. An open curve goes on straight in the parameters up to the end of the face's
 //! parameter box.
 #pragma once
 
@@ -22,7 +23,7 @@ struct BoundaryInset
 
 //! \param distance towards the side that the ply keeps [mm], above zero.
 //! \param tolerance largest deviation at the checked places [mm].
-//! Refusals at Stage::Trimming: NotSupported where the moved curve folds, vanishes or crosses itself;
+//! Refusals at Stage::Trimming: NotSupported where a moved curve folds in part, vanishes or crosses itself;
 //! EdgeToleranceNotReached.
 Result<BoundaryInset> inset_boundary(const InputFace &input, const BoundaryImage &image, double distance,
                                      double tolerance);
