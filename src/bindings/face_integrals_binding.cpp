@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "face_integrals_binding.h"
 
+#include "laid_layer.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
 
@@ -49,6 +50,27 @@ py::dict face_integrals_for_python(const py::object &shape, const std::vector<do
     return result;
 }
 
+py::list ply_integrals_for_python(const py::object &region, const std::vector<LaidLayer> &layers)
+{
+    std::vector<PlyLayer> between;
+    for (const LaidLayer &layer : layers)
+        between.push_back({*layer.distance, layer.thickness});
+    const Result<std::vector<PlyIntegrals>> found = ply_integrals(from_part(region, selected_exchange()), between);
+    if (!found)
+        raise(found.failure(), OffsetOptions{});
+    py::list result;
+    for (const PlyIntegrals &ply : found.value())
+    {
+        py::dict figures;
+        figures["area"] = ply.area;
+        figures["volume"] = ply.volume;
+        figures["moment"] = Triple{ply.first_moment.X(), ply.first_moment.Y(), ply.first_moment.Z()};
+        figures["relative_error"] = ply.relative_error;
+        result.append(figures);
+    }
+    return result;
+}
+
 } // namespace
 
 void bind_face_integrals(py::module_ &module)
@@ -59,6 +81,11 @@ void bind_face_integrals(py::module_ &module)
                "estimated relative error; the areas in mm2 of its offsets at the distances in mm along the outward "
                "normal; volumes in mm3 and first moments (x, y, z) in mm4 between the two distances of every interval. "
                "Raises OffsetError.");
+    py::class_<LaidLayer>(module, "LaidLayer", "Where a ply of stack_plies lies over its region.");
+    module.def(
+        "ply_integrals", &ply_integrals_for_python, py::arg("region"), py::arg("layers"),
+        "For each LaidLayer over the Part.Face of its region: the area in mm2 of its middle surface, its volume in "
+        "mm3, first moment in mm4 and their estimated relative error. Raises OffsetError.");
 }
 
 } // namespace laminate_offset::python

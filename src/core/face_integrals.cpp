@@ -19,4 +19,17 @@ Result<FaceIntegrals> face_integrals(const TopoDS_Shape &face)
     }
 }
 
+Result<std::vector<PlyIntegrals>> ply_integrals(const TopoDS_Shape &region, const std::vector<PlyLayer> &layers)
+{
+    try
+    {
+        const Result<InputFace> input = read_face(region);
+        return input ? integrate_plies(input.value(), layers) : input.failure();
+    }
+    catch (const Standard_Failure &error)
+    {
+        return kernel_failure(error, Stage::Input);
+    }
+}
+
 } // namespace laminate_offset

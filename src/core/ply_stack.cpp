@@ -6,6 +6,7 @@
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
 #include "report/face_report.h"
+#include "stack/boundary_gap.h"
 #include "stack/boundary_inset.h"
 #include "stack/boundary_sides.h"
 #include "stack/ply_levels.h"
@@ -74,6 +75,8 @@ Result<bool> checked(const std::vector<PlySpec> &plies, const std::vector<PlyBou
                                           least_ratio, most_ratio));
     if (options.ramp_length && !(*options.ramp_length > 0.0 && std::isfinite(*options.ramp_length)))
         return option_refusal("A ramp's length must be a finite number of mm above zero.");
+    if (options.boundary_gap && !(*options.boundary_gap >= 0.0 && std::isfinite(*options.boundary_gap)))
+        return option_refusal("The gap of boundaries must be a finite number of mm, zero or more.");
     return true;
 }
 
@@ -81,19 +84,23 @@ Result<bool> checked(const std::vector<PlySpec> &plies, const std::vector<PlyBou
 class BoundaryOnFace
 {
 public:
-    BoundaryOnFace(const TopoDS_Shape &face, const InputFace &input, const PlyBoundary &boundary, double tolerance)
-        : m_face(face), m_input(input), m_boundary(boundary), m_tolerance(tolerance)
+    BoundaryOnFace(const TopoDS_Shape &face, const InputFace &input, const PlyBoundary &boundary,
+                   const PlyStackOptions &options)
+        : m_face(face), m_input(input), m_boundary(boundary), m_tolerance(options.tolerance),
+          m_most_gap(options.boundary_gap.value_or(usual_gap(input, boundary.shape)))
     {
     }
 
     //! \param inset how far the ply's edge keeps inside of the boundary [mm].
-    //! \param inset_error becomes the larger of itself and what was seen of the moved curves' error [mm].
-    Result<PlyRegion> region(double inset, double &inset_error) const
+    //! \param result its inset_error becomes the larger of itself and what was seen of the moved curves' error.
+    //! \param gap becomes the boundary's distance from the face [mm].
+    Result<PlyRegion> region(double inset, PlyStackResult &result, std::optional<double> &gap) const
     {
         const std::vector<TopoDS_Wire> wires = boundary_wires(m_boundary.shape);
         if (wires.empty())
             return option_refusal("There is no curve in it; give an edge, a wire or a face.");
         std::vector<TopoDS_Shape> on_face;
+        std::vector<DroppedCurve> dropped;
         for (const TopoDS_Wire &wire : wires)
         {
             // the directions across an image count where it is moved
@@ -102,7 +109,13 @@ public:
             if (!projection)
                 return projection.failure();
             on_face.push_back(projection.value().wire.Located(TopLoc_Location()));
+            for (const ProjectedEdge &edge : projection.value().edges)
+                dropped.push_back({edge.given, edge.pcurve, edge.first, edge.last});
         }
+        const BoundaryGap found = boundary_gap(m_input, LoopRegion(m_input), dropped);
+        if (found.distance > m_most_gap)
+            return too_far(found);
+        gap = found.distance;
         const Result<std::vector<bool>> left = sides(wires, on_face);
         if (!left)
             return left.failure();
@@ -116,7 +129,7 @@ public:
                 if (!moved)
                     return moved.failure();
                 image = moved.value().image;
-                inset_error = std::max(inset_error, moved.value().error);
+                result.inset_error = std::max(result.inset_error, moved.value().error);
             }
             images.push_back(std::move(image));
         }
@@ -127,6 +140,15 @@ public:
     }
 
 private:
+    [[nodiscard]] Failure too_far(const BoundaryGap &gap) const
+    {
+        return {Status::NotSupported, Stage::Trimming,
+                fmt::format("It stands {:.4g} mm from the face, more than {:.4g} mm, so its image may not be what was "
+                            "meant; draw it nearer to the face, or allow a boundary_gap of {:.4g} mm.",
+                            gap.distance, m_most_gap, 1.01 * gap.distance),
+                gap.where, std::nullopt};
+    }
+
     //! Whether the ply lies left of each wire, with S_u x S_v upwards.
     [[nodiscard]] Result<std::vector<bool>> sides(const std::vector<TopoDS_Wire> &wires,
                                                   const std::vector<TopoDS_Shape> &images) const
@@ -145,6 +167,7 @@ private:
     const InputFace &m_input;
     const PlyBoundary &m_boundary;
     double m_tolerance;
+    double m_most_gap; //!< [mm]
 };
 
 class PlyPipeline
@@ -188,6 +211,7 @@ private:
     Result<std::vector<PlyRegion>> all_regions(const InputFace &input)
     {
         std::vector<PlyRegion> regions;
+        m_result.boundary_gaps.resize(m_boundaries.size());
         std::vector<std::pair<std::size_t, double>> known;
         for (const PlySpec &ply : m_plies)
         {
@@ -203,8 +227,8 @@ private:
                 continue;
             }
             const PlyBoundary &boundary = m_boundaries[*ply.boundary];
-            Result<PlyRegion> region =
-                BoundaryOnFace(m_face, input, boundary, m_options.tolerance).region(ply.inset, m_inset_error);
+            Result<PlyRegion> region = BoundaryOnFace(m_face, input, boundary, m_options)
+                                           .region(ply.inset, m_result, m_result.boundary_gaps[*ply.boundary]);
             if (!region)
                 return about(boundary, region.failure());
             region.value().name = boundary.name;
@@ -218,6 +242,7 @@ private:
         Stacking result;
         result.start = input.from_surface(m_options.start);
         result.middle = m_options.middle;
+        result.steepest = m_options.ramp_slope == RampSlope::Steepest;
         for (std::size_t k = 0; k < m_plies.size(); ++k)
             result.plies.push_back({input.normal_sign * m_options.direction * m_plies[k].thickness, m_region_of[k],
                                     m_options.ramp_length.value_or(m_options.ratio * m_plies[k].thickness)});
@@ -225,7 +250,7 @@ private:
     }
 
     //! All faces of all plies, in parallel.
-    Result<PlyStackResult> faces(const std::vector<PlyRegion> &regions, const PlyLevels &levels) const
+    Result<PlyStackResult> faces(const std::vector<PlyRegion> &regions, const PlyLevels &levels)
     {
         const std::size_t each = m_options.middle ? 3 : 2;
         std::vector<std::optional<Result<PlySurface>>> made(each * m_plies.size());
@@ -246,20 +271,41 @@ private:
             return Failure{Status::Cancelled, Stage::Topology,
                            "The computation was cancelled while the plies' faces were made.", std::nullopt,
                            std::nullopt};
-        PlyStackResult result;
-        result.inset_error = m_inset_error;
         for (std::size_t i = 0; i < made.size(); ++i)
             if (!made[i]->ok())
                 return made[i]->failure();
         for (std::size_t k = 0; k < m_plies.size(); ++k)
         {
             const auto surface = [&](std::size_t which) { return made[each * k + which]->value(); };
-            StackedPly ply{located(regions[m_region_of[k]].input), surface(0), std::nullopt, surface(each - 1)};
+            const PlyRegion &region = regions[m_region_of[k]];
+            StackedPly ply{located(region.input),
+                           bottom_distance(levels, k),
+                           region.input.normal_sign * m_options.direction * m_plies[k].thickness,
+                           ramp_figures(levels.ramps[k], m_plies[k].thickness),
+                           surface(0),
+                           std::nullopt,
+                           surface(each - 1)};
             if (m_options.middle)
                 ply.middle = surface(1);
-            result.plies.push_back(std::move(ply));
+            m_result.plies.push_back(std::move(ply));
         }
-        return result;
+        return std::move(m_result);
+    }
+
+    static std::optional<RampFigures> ramp_figures(const std::optional<PlyRamp> &ramp, double thickness)
+    {
+        if (!ramp)
+            return std::nullopt;
+        return RampFigures{ramp->length, thickness / ramp->length, thickness * ramp->steepest};
+    }
+
+    static std::shared_ptr<const ScalarSpline> bottom_distance(const PlyLevels &levels, std::size_t ply)
+    {
+        const PlyLevel &bottom = levels.between[ply];
+        const ParameterBox &box = levels.analysis.base.box();
+        return std::make_shared<const ScalarSpline>(
+            bottom.distance ? *bottom.distance
+                            : ScalarSpline::constant(bottom.constant, box.umin, box.umax, box.vmin, box.vmax));
     }
 
     static TopoDS_Face located(const InputFace &input)
@@ -312,7 +358,7 @@ private:
     const std::vector<PlyBoundary> &m_boundaries;
     const PlyStackOptions &m_options;
     std::vector<std::size_t> m_region_of; //!< of each ply
-    double m_inset_error = 0.0;
+    PlyStackResult m_result;
 };
 
 } // namespace

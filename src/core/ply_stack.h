@@ -14,12 +14,15 @@
 #include <gp_Pnt.hxx>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace laminate_offset
 {
+
+struct ScalarSpline;
 
 //! Which part of the face a boundary leaves to its ply. Left and right are those of the boundary's direction for someone
 //! who stands on the face with the outward normal upwards.
@@ -30,6 +33,13 @@ enum class PlySide
     Left,
     Right,
     Nearest //!< the part next to a point
+};
+
+//! What a ramp's ratio of length to thickness stands for.
+enum class RampSlope
+{
+    Mean,    //!< the whole ramp; in its middle it is some 1.4 to 1.8 times as steep
+    Steepest //!< the steepest place; the ramp is made as much longer
 };
 
 //! What bounds plies.
@@ -64,6 +74,11 @@ struct PlyStackOptions
     double ratio = 20.0;
     //! Length of every ramp instead [mm]. Range: > 0. Default none.
     std::optional<double> ramp_length;
+    //! Whether ratio or length stand for the mean or for the steepest slope. Default Mean.
+    RampSlope ramp_slope = RampSlope::Mean;
+    //! Largest distance of a boundary from the face [mm]; one that stands farther off is refused. Range: >= 0. Default none: a
+    //! quarter of the boundary's own size or of the face's, whichever is less, 1 mm at least.
+    std::optional<double> boundary_gap;
     //! Surfaces half way through the plies are made as well. Default no.
     bool middle = false;
     //! Progress and cancellation. Default none. It may be called from any thread.
@@ -77,9 +92,21 @@ struct PlySurface
     bool over_ramp = false; //!< its distance from the lay-up face varies
 };
 
+//! How the plies above come down beside a ply. Slopes are heights over lengths along the lay-up face; both ends are level.
+struct RampFigures
+{
+    double length = 0.0;   //!< [mm]
+    double mean = 0.0;     //!< slope: the ply's thickness over the length
+    double steepest = 0.0; //!< largest slope seen
+};
+
 struct StackedPly
 {
     TopoDS_Face region; //!< what it covers, on the lay-up face itself
+    //! Distance of its bottom from the lay-up surface over the region's parameters, along S_u x S_v [mm], for ply_integrals.
+    std::shared_ptr<const ScalarSpline> distance;
+    double thickness = 0.0;          //!< along S_u x S_v [mm], signed
+    std::optional<RampFigures> ramp; //!< empty where no ply above comes down beside it
     PlySurface bottom;
     std::optional<PlySurface> middle; //!< where asked for
     PlySurface top;
@@ -88,6 +115,8 @@ struct StackedPly
 struct PlyStackResult
 {
     std::vector<StackedPly> plies;
+    //! Largest distance seen of each boundary from the face [mm], inside the face's loops; empty where no ply has it.
+    std::vector<std::optional<double>> boundary_gaps;
     double inset_error = 0.0; //!< largest error seen of a boundary moved inwards [mm]; 0 where none was
     double elapsed = 0.0;     //!< [ms]
 };
@@ -95,7 +124,7 @@ struct PlyStackResult
 //! Lays plies on a trimmed face.
 //! \return the stack, or the first refusal; nothing is made in part.
 //! Refusals: those of offset_stack and project_curve; InvalidOption for an option out of its range; NotSupported for a
-//! boundary that does not cut the face or leaves several parts of it, an open boundary without a side, a ramp that would
+//! boundary that stands too far from the face, does not cut it or leaves several parts of it, an open boundary without a side, a ramp that would
 //! take too many poles, creased faces. Messages name the boundary.
 Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
                                    const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options);

@@ -146,14 +146,16 @@ struct Proof
     }
 };
 
-CurveProjection summary(std::vector<ImagePart> parts, const InputFace &input, double tolerance)
+//! \param given the curve that each part is an image of.
+CurveProjection summary(const std::vector<ImagePart> &parts, const std::vector<Handle(Geom_Curve)> &given,
+                        const InputFace &input, double tolerance)
 {
     CurveProjection result;
     result.certified_error = 0.0;
-    for (const ImagePart &part : parts)
+    for (std::size_t k = 0; k < parts.size(); ++k)
     {
-        const ImagePiece &piece = part.piece;
-        ProjectedEdge edge{piece.pcurve,          piece.first,      piece.last,    std::nullopt,
+        const ImagePiece &piece = parts[k].piece;
+        ProjectedEdge edge{piece.pcurve,          given[k],         piece.first,   piece.last, std::nullopt,
                            piece.deviation.bound, piece.on_surface, piece.distance};
         if (piece.deviation.proven)
             edge.certified_error = piece.deviation.bound;
@@ -189,6 +191,7 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
         search,        surface.value(), box, proof.surface, proof.form ? &*proof.form : nullptr, proof.model_error,
         input.diagonal};
     std::vector<ImagePart> parts;
+    std::vector<Handle(Geom_Curve)> curves;
     for (std::size_t i = 0; i < given.value().curves.size(); ++i)
     {
         Result<std::vector<ImagePiece>> pieces = image_of(on, given.value().curves[i], options.tolerance);
@@ -198,13 +201,16 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
         if (reversed)
             std::reverse(pieces.value().begin(), pieces.value().end());
         for (ImagePiece &piece : pieces.value())
+        {
             parts.push_back({std::move(piece), reversed});
+            curves.push_back(given.value().curves[i].curve);
+        }
     }
     if (parts.empty())
         return refusal(Status::NotSupported,
                        "No part of the curve has its nearest point inside the face's surface; move the curve, or "
                        "extend the face.");
-    return summary(std::move(parts), input, options.tolerance);
+    return summary(parts, curves, input, options.tolerance);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "projection/outside.h"
 
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <optional>
@@ -28,6 +29,7 @@ struct ProjectionOptions
 struct ProjectedEdge
 {
     Handle(Geom2d_Curve) pcurve; //!< in the parameters of the face's surface, by the given edge's own parameter
+    Handle(Geom_Curve) given;    //!< the given edge's curve, where the face stands without its location
     double first = 0.0;
     double last = 0.0;
     //! Proven bound of |E(t) - S(c(t))| [mm] for the edge's curve E, the surface S and the pcurve c; empty where one of

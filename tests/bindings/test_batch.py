@@ -11,10 +11,12 @@ from glob import glob
 from pathlib import Path
 from typing import Any, Dict, List
 
+import FreeCAD
 import pytest
 import sample_shapes
 from laminate_offset import files
 from laminate_offset.batch import JobsError, read_jobs
+from conftest import PROJECT
 from sample_shapes import Part
 
 HEADER = "input,face,distance,layup,tolerance,output\n"
@@ -329,3 +331,86 @@ def test_two_batches_do_not_share_a_folder(launcher: Path, command_line, folder:
     finally:
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=120)
+
+
+PAD_HEADER = "input,face,layup,boundaries,side,drop_off,ramp_slope,stagger,boundary_gap,output\n"
+PADS = "ply,material,thickness_mm,angle_deg,boundary\nP1,tape,0.2,0,\nP2,tape,0.2,90,pad\nP3,tape,0.2,90,pad\nP4,tape,0.2,0,\n"
+
+
+@pytest.fixture
+def pads(folder: Path) -> Path:
+    """The folder with a layup of a pad, and its boundary, 1 mm above the wing."""
+    (folder / "pads.csv").write_text(PADS, encoding="utf-8")
+    wing = files.read_faces(str(folder / "wing.step"))[0]
+    document = FreeCAD.newDocument("Pads")
+    middle = FreeCAD.Vector(18.0, 50.0, 0.0)
+    foot = wing.Surface.value(*wing.Surface.parameter(middle))
+    document.addObject("Part::Feature", "pad").Shape = Part.makeCircle(12.0, foot + FreeCAD.Vector(0.0, 0.0, 1.0))
+    document.saveAs(str(folder / "pads.FCStd"))
+    FreeCAD.closeDocument(document.Name)
+    return folder
+
+
+def test_stacks_with_boundaries(command_line, pads: Path) -> None:
+    rows = [
+        "wing.step,1,pads.csv,pads.FCStd,,20mm,,,,inside.brep",
+        "wing.step,1,pads.csv,pads.FCStd,pad=outside,20mm,steepest,,,outside.brep",
+        'wing.step,1,pads.csv,pads.FCStd,,20mm,,"pad=0,3",,staggered.brep',
+        "wing.step,1,pads.csv,pads.FCStd,,20mm,,,0.01,far.brep",
+        "wing.step,1,pads.csv,,,,,,,missing.brep",
+        "wing.step,1,pads.csv,pads.FCStd,tip=left,,,,,side.brep",
+    ]
+    path = table(pads, *rows, header=PAD_HEADER)
+    run = command_line("batch", path, "-o", pads / "out")
+    assert run.returncode == 1, run.stderr
+    assert states(pads) == ["done"] * 3 + ["failed"] * 3, summary(pads)
+    reasons = [row["reason"] for row in summary(pads)]
+    assert "stands" in reasons[3] and "boundary" in reasons[4] and "'tip'" in reasons[5]
+    areas = {
+        name: [face.Area for face in files.read_faces(str(pads / "out" / f"{name}.brep"))]
+        for name in ("inside", "outside", "staggered")
+    }
+    whole = areas["inside"][0]
+    assert areas["inside"][1] + areas["outside"][1] == pytest.approx(whole, rel=1e-2)
+    assert areas["staggered"][1] == pytest.approx(areas["inside"][1], rel=1e-6)
+    assert areas["staggered"][2] == pytest.approx(areas["inside"][2] * (9.0 / 12.0) ** 2, rel=0.05)
+    assert record(pads, "outside.brep")["job"]["side"] == ["pad=outside"]
+    assert record(pads, "outside.brep")["report"]["stack"][1]["ramp"]["steepest_slope"] <= 0.2 / 20.0
+    run = command_line("batch", path, "-o", pads / "out")
+    assert states(pads) == ["done before"] * 3 + ["failed"] * 3
+    (pads / "pads.FCStd").write_bytes((pads / "pads.FCStd").read_bytes() + b" ")  # another digest
+    table(pads, rows[0], header=PAD_HEADER)
+    command_line("batch", path, "-o", pads / "out")
+    assert states(pads) == ["done"]
+
+
+def test_columns_on_boundaries_are_checked(folder: Path) -> None:
+    rows = [
+        "wing.step,1,layup.csv,pads.FCStd,pad=above,,,,,a.brep",
+        "wing.step,1,layup.csv,pads.FCStd,,20kg,,,,b.brep",
+        "wing.step,1,layup.csv,pads.FCStd,,0,,,,c.brep",
+        "wing.step,1,layup.csv,pads.FCStd,,,flat,,,d.brep",
+        "wing.step,1,layup.csv,pads.FCStd,,,,pad=x,,e.brep",
+        "wing.step,1,layup.csv,pads.FCStd,,,,,-1,f.brep",
+        "wing.step,1,layup.csv,,pad=left,,,,,g.brep",
+    ]
+    with pytest.raises(JobsError) as wrong:
+        read_jobs(str(table(folder, *rows, header=PAD_HEADER)))
+    columns = ["side", "drop_off", "drop_off", "ramp_slope", "stagger", "boundary_gap", "side"]
+    assert [(problem.row, problem.column) for problem in wrong.value.problems] == list(enumerate(columns, start=2))
+    header = "input,face,distance,boundaries,output\n"
+    with pytest.raises(JobsError, match="boundaries: found 'pads.FCStd', expected nothing where no layup"):
+        read_jobs(str(table(folder, "wing.step,1,5,pads.FCStd,a.brep", header=header)))
+    (job,) = read_jobs(str(table(folder, "wing.step,1,5,,,a.brep")))
+    assert set(job.task()) == {"input", "face", "distance", "layup", "tolerance", "output"}
+
+
+def test_the_example_of_a_pad(command_line, tmp_path: Path) -> None:
+    run = command_line("batch", PROJECT / "resources" / "examples" / "jobs_pad.csv", "-o", tmp_path / "out")
+    assert run.returncode == 0, run.stderr
+    stack = record(tmp_path, "panel_pad.step")["report"]
+    assert [ply["boundary"] for ply in stack["stack"]] == ["", "", "PadContour", "PadContour", "", ""]
+    assert stack["certified_error"] <= 1e-3 and stack["boundary_gaps"]["PadContour"] < 1e-6
+    faces = files.read_faces(str(tmp_path / "out" / "panel_pad.step"))
+    assert len(faces) == 6 and all(face.isValid() for face in faces)
+    assert faces[2].Area < 0.1 * faces[0].Area

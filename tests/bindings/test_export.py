@@ -417,6 +417,8 @@ def test_partial_plies_are_written(partial: lo.PlyStack, tmp_path: Path) -> None
         rows = list(csv.DictReader(stream))
     assert [row["over_ramp"] for row in rows] == ["no", "no", "yes"]
     assert [row["boundary"] for row in rows] == ["", "disc", ""] and not any(row["mass_kg"] for row in rows)
+    figures = partial.mass_properties().plies
+    assert [float(row["volume_mm3"]) for row in rows] == [figure.volume for figure in figures]
     partial.export(str(tmp_path / "book.html"))
     book = Book(tmp_path / "book.html")
     assert len(book.images) == 4 and "disc" in book.texts["td"] and "the whole face" in book.texts["td"]

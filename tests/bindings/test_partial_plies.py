@@ -52,10 +52,7 @@ def test_the_ply_above_comes_down_beside_the_patch() -> None:
     assert height(face, top.top_face, *corner) == pytest.approx(1.0, abs=2e-3)
     for ply in stack.plies:
         assert ply.solid.isValid() and ply.solid.Volume == pytest.approx(0.5 * ply.base_face.Area, rel=0.01)
-    with pytest.raises(ValueError, match="common solid"):
-        stack.laminate_solid()
-    with pytest.raises(ValueError, match="boundaries"):
-        stack.mass_properties()
+    assert 0.0 < stack.report["boundary_gaps"]["patch"] < 15.0
     low, high = top.levels([middle, corner])
     assert low == pytest.approx([1.0, 0.5], abs=2e-3) and high == pytest.approx([1.5, 1.0], abs=2e-3)
     assert stack.thickness([middle, corner]) == pytest.approx([1.5, 1.0], abs=2e-3)
@@ -115,6 +112,40 @@ def test_wrong_boundaries_are_named() -> None:
         lo.stack_plies(face, layup("", "patch", "", thickness=0.025), boundaries={"patch": disc(0, 0, 60)}, drop_off=20)
     with pytest.raises((lo.OffsetError, ValueError), match="ratio"):
         lo.stack_plies(face, layup("patch"), boundaries={"patch": disc(0, 0, 60)}, drop_off=0.1)
+
+
+def test_a_boundary_far_from_the_face_is_refused_with_its_distance() -> None:
+    face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
+    far = Part.Wire([Part.makeCircle(60.0, FreeCAD.Vector(0, 0, 80))])
+    two = layup("", "patch")
+    with pytest.raises(lo.OffsetError, match="'patch': It stands 80 mm from the face.*boundary_gap") as refused:
+        lo.stack_plies(face, two, boundaries={"patch": far})
+    assert numpy.hypot(refused.value.where["x"], refused.value.where["y"]) == pytest.approx(60.0, abs=1e-2)
+    for allowed in (81, FreeCAD.Units.Quantity("81 mm")):
+        stack = lo.stack_plies(face, two, boundaries={"patch": far, "unused": far}, boundary_gap=allowed)
+        assert list(stack.report["boundary_gaps"]) == ["patch"]
+        assert stack.report["boundary_gaps"]["patch"] == pytest.approx(80.0, abs=1e-2)
+    for wrong, error in (("80", TypeError), (True, TypeError), (-1.0, ValueError), (float("nan"), ValueError)):
+        with pytest.raises(error, match="boundary_gap must be a distance"):
+            lo.stack_plies(face, two, boundaries={"patch": far}, boundary_gap=wrong)
+
+
+def test_ramps_are_reported_and_their_steepest_slope_can_be_given() -> None:
+    face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
+    line = Part.makeLine(FreeCAD.Vector(0, -200, 0), FreeCAD.Vector(0, 200, 0))
+    given = {"half": lo.Boundary(line, side="left")}
+    mean, steepest = (
+        lo.stack_plies(face, layup("", "half", ""), boundaries=given, drop_off=40, ramp_slope=kind)
+        for kind in ("mean", "steepest")
+    )
+    assert mean.plies[0].ramp is None and mean.plies[2].ramp is None
+    ramp = mean.ply_reports()[1]["ramp"]
+    assert ramp["length"] == 20.0 and ramp["mean_slope"] == 1 / 40 and ramp["start_slope"] == ramp["end_slope"] == 0.0
+    assert 1.3 / 40 < ramp["steepest_slope"] < 1.9 / 40
+    longer = steepest.plies[1].ramp
+    assert 0.9 / 40 < longer["steepest_slope"] <= 1 / 40 and longer["length"] > 1.3 * 20.0
+    with pytest.raises(ValueError, match="ramp_slope must be one of mean, steepest"):
+        lo.stack_plies(face, layup("half"), boundaries=given, ramp_slope="flat")
 
 
 @pytest.mark.parametrize("point", [(0, float("nan"), 0), "abc", "123", (1, 2), (1, 2, "x"), 5, (0, 0, float("inf"))])
@@ -206,6 +237,7 @@ def test_the_command_takes_boundaries_from_a_file(
     arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(output), "--report", str(report)]
     ramps = ["--drop-off", "60mm"]
     asked = ["--boundaries", str(outlines), "--side", f"{names[1]}=left", "--stagger", f"{names[1]}=0,20"]
+    asked += ["--boundary-gap", "20", "--ramp-slope", "steepest"]
     assert cli.main(arguments + ramps + asked) == 0, capfd.readouterr().err
     values = json.loads(report.read_text(encoding="utf-8"))
     assert values["partial_plies"] == 3 and len(files.read_faces(str(output))) == 4
@@ -214,6 +246,8 @@ def test_the_command_takes_boundaries_from_a_file(
     assert "boundary" in capfd.readouterr().err
     assert cli.main(arguments + asked + ["--side", "flap=left"]) == 2
     assert "flap" in capfd.readouterr().err
+    assert cli.main(arguments + ramps + asked + ["--boundary-gap", "0.001"]) == 1
+    assert "stands" in capfd.readouterr().err
     output.unlink()
     assert cli.main(arguments + ramps + asked + ["--calculix", str(tmp_path / "section.inp")]) == 2
     said = capfd.readouterr().err

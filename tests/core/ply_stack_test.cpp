@@ -16,10 +16,13 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
 #include <GeomLProp_SLProps.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <IntTools_FClass2d.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -31,6 +34,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -323,6 +328,105 @@ TEST(PlyStack, AnalyticFacesTakePatches)
     }
 }
 
+TEST(PlyStack, ABoundarysDistanceFromTheFaceIsReportedAndLimited)
+{
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -200.0, 200.0, -150.0, 150.0);
+    const auto lay = [](const TopoDS_Face &face, const TopoDS_Shape &shape, PlySide side, std::optional<double> most) {
+        PlyStackOptions options = options_of(50.0);
+        options.boundary_gap = most;
+        return stack_plies(face, {{0.5, {}, 0.0}, {0.5, 1, 0.0}},
+                           {{"unused", shape, side, {}}, {"flap", shape, side, {}}}, options);
+    };
+    const auto circle_at = [](double height) -> TopoDS_Wire {
+        return BRepBuilderAPI_MakeWire(
+            BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(10.0, 20.0, height), gp_Dir(0, 0, 1)), 50.0)));
+    };
+    for (const double height : {0.0, 1e-4, 0.5, 35.0, -35.0}) // a quarter of its box is 35.4
+    {
+        const auto made = lay(plane, circle_at(height), PlySide::Inside, {});
+        ASSERT_TRUE(made) << why(made);
+        ASSERT_EQ(made.value().boundary_gaps.size(), 2U);
+        EXPECT_FALSE(made.value().boundary_gaps[0]);
+        ASSERT_TRUE(made.value().boundary_gaps[1]);
+        EXPECT_NEAR(*made.value().boundary_gaps[1], std::abs(height), 1e-3); // the image is so near
+    }
+    for (const double height : {36.0, -90.0, 5000.0})
+    {
+        const auto refused = lay(plane, circle_at(height), PlySide::Inside, {});
+        ASSERT_FALSE(refused) << height;
+        EXPECT_EQ(refused.failure().status, Status::NotSupported);
+        EXPECT_NE(refused.failure().message.find("'flap'"), std::string::npos) << refused.failure().message;
+        EXPECT_NE(refused.failure().message.find("boundary_gap"), std::string::npos) << refused.failure().message;
+        ASSERT_TRUE(refused.failure().where);
+        EXPECT_NEAR(refused.failure().where->point.Distance(gp_Pnt(10.0, 20.0, 0.0)), 50.0, 1e-3);
+        EXPECT_TRUE(lay(plane, circle_at(height), PlySide::Inside, 1.001 * std::abs(height)));
+    }
+    EXPECT_FALSE(lay(plane, circle_at(0.5), PlySide::Inside, 0.4));
+    EXPECT_FALSE(lay(plane, circle_at(0.5), PlySide::Inside, -1.0));
+    // of a rising line only what lies over the face counts
+    const auto rising = lay(plane, line(gp_Pnt(0, -400, 0), gp_Pnt(0, 400, 80)), PlySide::Left, 60.0);
+    ASSERT_TRUE(rising) << why(rising);
+    EXPECT_NEAR(*rising.value().boundary_gaps[1], 55.0, 0.8);
+}
+
+TEST(PlyStack, TheSlopesOfRampsAreReportedAndCanBeLimited)
+{
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -200.0, 200.0, -150.0, 150.0);
+    const double thickness = 0.5;
+    const TopoDS_Wire across = line(gp_Pnt(20.0, -200.0, 0.0), gp_Pnt(20.0, 200.0, 0.0));
+    for (const bool straight : {true, false})
+        for (const RampSlope kind : {RampSlope::Mean, RampSlope::Steepest})
+        {
+            SCOPED_TRACE(straight ? "straight" : "round");
+            PlyStackOptions options;
+            options.ratio = 40.0;
+            options.ramp_slope = kind;
+            const PlyBoundary boundary{
+                "b", straight ? across : circle(20.0, 0.0, 60.0), straight ? PlySide::Left : PlySide::Inside, {}};
+            const auto made = stack_plies(plane, {{thickness, 0, 0.0}, {0.25, {}, 0.0}}, {boundary}, options);
+            ASSERT_TRUE(made) << why(made);
+            EXPECT_FALSE(made.value().plies[1].ramp);
+            ASSERT_TRUE(made.value().plies[0].ramp);
+            const RampFigures ramp = *made.value().plies[0].ramp;
+            EXPECT_DOUBLE_EQ(ramp.mean, thickness / ramp.length);
+            // slopes of the ply above by differences of its points, row by row
+            const Handle(Geom_Surface) above = BRep_Tool::Surface(made.value().plies[1].bottom.result.face());
+            double steepest = 0.0;
+            const double step = 0.01;
+            for (double x = -195.0; x < 195.0; x += 0.25)
+                for (const double y : {-60.0, -7.0, 0.0, 31.0, 80.0})
+                {
+                    const double here = above->Value(x, y).Z();
+                    const double a = (above->Value(x + step, y).Z() - here) / step;
+                    const double b = (above->Value(x, y + step).Z() - here) / step;
+                    steepest = std::max(steepest, std::hypot(a, b));
+                }
+            EXPECT_GT(steepest, 0.0);
+            EXPECT_LE(steepest, 1.01 * ramp.steepest);
+            if (straight)
+            {
+                EXPECT_NEAR(steepest, ramp.steepest, 0.02 * ramp.steepest);
+                EXPECT_GT(ramp.steepest / ramp.mean, 1.3);
+                EXPECT_LT(ramp.steepest / ramp.mean, 1.9);
+            }
+            if (kind == RampSlope::Mean)
+            {
+                EXPECT_DOUBLE_EQ(ramp.length, 40.0 * thickness);
+                EXPECT_GT(ramp.steepest, 1.0 / 40.0);
+            }
+            else
+            {
+                EXPECT_LE(ramp.steepest, 1.0 / 40.0);
+                EXPECT_GE(ramp.steepest, 0.9 / 40.0);
+                EXPECT_LE(steepest, 1.01 / 40.0);
+            }
+            // level where it begins and ends
+            if (straight)
+                for (const double x : {20.0, 20.0 + 1.02 * ramp.length})
+                    EXPECT_NEAR((above->Value(x + step, 0.0).Z() - above->Value(x - step, 0.0).Z()) / step, 0.0, 1e-3);
+        }
+}
+
 TEST(PlyStack, RefusalsNameTheBoundaryAndTheRemedy)
 {
     const TopoDS_Face face = panel();
@@ -434,6 +538,90 @@ TEST(PlyStack, InsetsOfCornersAreCutOrRounded)
     // outwards: five corners are rounded, the sixth is cut
     const double outer = 30000.0 + 800.0 * d + 4.0 * d * d - 5.0 * (1.0 - 0.25 * M_PI) * d * d;
     EXPECT_NEAR(area(d, PlySide::Outside), 160000.0 - outer, 1.0);
+}
+
+namespace
+{
+
+//! A rectangle of 100 x 60 about the origin whose corners are rounded, or cut off at 45 degrees, put onto a surface by a
+//! map of the plane's points.
+TopoDS_Wire rectangle_with_corners(double corner, bool rounded, const std::function<gp_Pnt(double, double)> &map)
+{
+    const auto curve = [&](const std::function<gp_Pnt2d(double)> &at) {
+        constexpr int points = 41;
+        TColgp_Array1OfPnt places(1, points);
+        for (int i = 0; i < points; ++i)
+        {
+            const gp_Pnt2d p = at(i / (points - 1.0));
+            places(i + 1) = map(p.X(), p.Y());
+        }
+        return BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(places, 3, 8, GeomAbs_C2, 1e-7).Curve()).Edge();
+    };
+    BRepBuilderAPI_MakeWire wire;
+    const double x = 50.0, y = 30.0;
+    for (int side = 0; side < 4; ++side)
+    {
+        const double a = side % 2 == 0 ? x : y, b = side % 2 == 0 ? y : x; // along the side, and its distance
+        const double turn = 0.5 * M_PI * side;
+        const auto turned = [turn](double p, double q) {
+            return gp_Pnt2d(std::cos(turn) * p - std::sin(turn) * q, std::sin(turn) * p + std::cos(turn) * q);
+        };
+        wire.Add(curve([&](double t) { return turned(-a + corner + t * 2.0 * (a - corner), -b); }));
+        wire.Add(curve([&](double t) {
+            if (!rounded)
+                return turned(a - corner + t * corner, -b + t * corner);
+            const double angle = 0.5 * M_PI * (t - 1.0);
+            return turned(a - corner + corner * std::cos(angle), -b + corner + corner * std::sin(angle));
+        }));
+    }
+    return wire;
+}
+
+} // namespace
+
+TEST(PlyStack, InsetsGoPastFilletsAndChamfers)
+{
+    // a cylinder is developed to the plane: areas and distances along it are those of the plane
+    const double radius = 80.0;
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -100.0, 100.0, -100.0, 100.0);
+    const TopoDS_Face tube = BRepBuilderAPI_MakeFace(
+        new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, -radius), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1)), radius), -1.5, 1.5,
+        -100.0, 100.0, 1e-7);
+    const auto flat = [](double x, double y) { return gp_Pnt(x, y, 0.0); };
+    const auto bent = [radius](double x, double y) {
+        return gp_Pnt(radius * std::sin(x / radius), y, radius * (std::cos(x / radius) - 1.0));
+    };
+    int past = 0;
+    for (const bool rounded : {true, false})
+        for (const double inset : {2.0, 5.5, 8.0, 12.0, 25.0})
+        {
+            const double corner = 5.0;
+            const double left =
+                rounded ? std::max(0.0, corner - inset) : std::max(0.0, corner - (2.0 - std::sqrt(2.0)) * inset);
+            past += left == 0.0 ? 1 : 0;
+            const double expected = (100.0 - 2.0 * inset) * (60.0 - 2.0 * inset) -
+                                    (rounded ? (4.0 - M_PI) * left * left : 2.0 * left * left);
+            for (const bool on_plane : {true, false})
+            {
+                SCOPED_TRACE((rounded ? "rounded, inset " : "cut off, inset ") + std::to_string(inset));
+                const TopoDS_Wire wire = on_plane ? rectangle_with_corners(corner, rounded, flat)
+                                                  : rectangle_with_corners(corner, rounded, bent);
+                const auto made = stack_plies(on_plane ? plane : tube, {{0.5, 0, inset}},
+                                              {{"b", wire, PlySide::Inside, {}}}, options_of(50.0));
+                ASSERT_TRUE(made) << why(made);
+                EXPECT_NEAR(area_of(made.value().plies[0].region), expected, 0.3);
+                EXPECT_TRUE(BRepCheck_Analyzer(made.value().plies[0].top.result.face()).IsValid());
+            }
+        }
+    EXPECT_EQ(past, 4 + 2);
+    for (const double inset : {30.0, 31.0, 45.0, 60.0})
+    {
+        const auto nothing =
+            stack_plies(plane, {{0.5, 0, inset}}, {{"b", rectangle_with_corners(5.0, true, flat), PlySide::Inside, {}}},
+                        options_of(50.0));
+        ASSERT_FALSE(nothing) << inset;
+        EXPECT_EQ(nothing.failure().status, Status::NotSupported);
+    }
 }
 
 TEST(PlyStack, InsetsOfOpenCurvesReachTheFacesEdges)

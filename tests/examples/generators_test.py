@@ -12,6 +12,7 @@ from example_tools import EXAMPLES, run_script
 sys.path.insert(0, str(EXAMPLES / "generators"))
 
 import naca_wing_skin  # noqa: E402
+import panel_boundaries  # noqa: E402
 import panel_two_holes  # noqa: E402
 import table1_duct  # noqa: E402
 import table1_fairing  # noqa: E402
@@ -19,7 +20,8 @@ import table1_rib  # noqa: E402
 import trimmed_face  # noqa: E402
 import wigley_hull  # noqa: E402
 
-import Part  # noqa: E402  (trimmed_face has found FreeCAD's libraries)
+import FreeCAD  # noqa: E402  (trimmed_face has found FreeCAD's libraries)
+import Part  # noqa: E402
 
 # name: loops, edges, degrees and poles of the surface
 EXPECTED = {
@@ -48,7 +50,7 @@ def name(request) -> str:
 
 
 def test_every_generator_is_expected_here():
-    scripts = {path.stem for path in (EXAMPLES / "generators").glob("*.py")} - {"trimmed_face"}
+    scripts = {path.stem for path in (EXAMPLES / "generators").glob("*.py")} - {"trimmed_face", "panel_boundaries"}
     assert scripts == set(EXPECTED)
     assert {path.stem for path in EXAMPLES.glob("*.step")} == set(EXPECTED)
 
@@ -155,3 +157,17 @@ def test_hull_normal_points_into_the_water():
     face = stored("wigley_hull")
     u0, u1, v0, v1 = face.ParameterRange
     assert face.normalAt(0.5 * (u0 + u1), 0.5 * (v0 + v1)).y > 0.5
+
+
+def test_the_stored_boundary_of_a_pad_is_the_generators():
+    panel = stored("panel_two_holes")
+    document = FreeCAD.openDocument(str(EXAMPLES / "panel_boundaries.FCStd"), True)
+    try:
+        (kept,) = [thing.Shape.copy() for thing in document.Objects if thing.Label == panel_boundaries.LABEL]
+    finally:
+        FreeCAD.closeDocument(document.Name)
+    made = panel_boundaries.contour(panel)
+    assert kept.isClosed() and kept.Length == pytest.approx(made.Length, rel=1e-9)
+    assert kept.distToShape(made)[0] < 1e-7
+    assert all(edge.distToShape(panel)[0] < 1e-6 for edge in kept.Edges)
+    assert panel_boundaries.LABEL in (EXAMPLES / "layup_inactive_ply.csv").read_text(encoding="utf-8")

@@ -125,6 +125,17 @@ def drop_off_of(drop_off: Length) -> Tuple[float, Optional[float]]:
     return (DEFAULT_RATIO, value) if is_length else (value, None)
 
 
+def gap_of(boundary_gap: Length) -> float:
+    """The largest distance of boundaries from the face in mm. Raises ValueError and TypeError for what is none."""
+    wanted = "a distance in mm or a FreeCAD length, zero or more"
+    if not isinstance(boundary_gap, (Real, FreeCAD.Units.Quantity)) or isinstance(boundary_gap, (bool, numpy.bool_)):
+        raise TypeError(f"boundary_gap must be {wanted}; it is {boundary_gap!r}.")
+    gap = millimetres(boundary_gap, "boundary_gap")
+    if not (math.isfinite(gap) and gap >= 0.0):
+        raise ValueError(f"boundary_gap must be {wanted}; it is {gap:g}.")
+    return gap
+
+
 def _distances(values: Any) -> List[float]:
     """One table of a stagger, in mm."""
     wanted = "a list of distances in mm or FreeCAD lengths, zero or more"

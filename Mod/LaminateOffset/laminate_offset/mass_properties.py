@@ -91,34 +91,40 @@ class MassProperties:
         return values
 
 
-def measure(layup: Layup, plies: Sequence[Tuple[PhysicalPly, Any]]) -> MassProperties:
+def measure(layup: Layup, face: Any, plies: Sequence[PhysicalPly]) -> MassProperties:
     """The figures of plies that lie between two constant distances of a face each.
 
     Args:
         layup: knows the materials.
-        plies: each ply with the part of the lay-up face that it covers; plies with the same Part.Face share one
-            quadrature.
+        face: the lay-up face; all plies share one quadrature over it.
+        plies: from the tool outwards.
+    """
+    intervals = [(min(ply.bottom, ply.top), max(ply.bottom, ply.top)) for ply in plies]
+    values = _core.face_integrals(face, [ply.middle for ply in plies], intervals)
+    found = zip(plies, values["areas"], values["volumes"], values["moments"])
+    measured = [_properties(layup, ply, area, volume, moment) for ply, area, volume, moment in found]
+    return _totals(layup, tuple(measured), values["relative_error"])
+
+
+def measure_partial(layup: Layup, plies: Sequence[Tuple[PhysicalPly, Any, Any]]) -> MassProperties:
+    """The figures of plies that cover parts of a face at distances that vary over ramps.
+
+    Args:
+        layup: knows the materials.
+        plies: each ply with the part of the lay-up face that it covers and its LaidLayer, from the tool outwards; plies
+            with the same Part.Face at constant distances share one quadrature.
     """
     errors: List[float] = []
     found: Dict[int, PlyProperties] = {}
-    for face, members in _by_face(plies):
-        intervals = [(min(ply.bottom, ply.top), max(ply.bottom, ply.top)) for ply in members]
-        values = _core.face_integrals(face, [ply.middle for ply in members], intervals)
-        errors.append(values["relative_error"])
-        for ply, area, volume, moment in zip(members, values["areas"], values["volumes"], values["moments"]):
-            center = FreeCAD.Vector(*moment) * (1.0 / volume)
-            found[ply.number] = PlyProperties(
-                ply.number,
-                ply.name,
-                ply.ply.material,
-                ply.thickness,
-                area,
-                volume,
-                _mass(known_material(layup, ply.ply.material), area, volume),
-                center,
-            )
-    measured = tuple(found[ply.number] for ply, _ in plies)
-    return _totals(layup, measured, max(errors))
+    groups: Dict[int, List[Tuple[PhysicalPly, Any, Any]]] = {}
+    for laid in plies:
+        groups.setdefault(id(laid[1]), []).append(laid)
+    for members in groups.values():
+        figures = _core.ply_integrals(members[0][1], [layer for _, _, layer in members])
+        for (ply, _, _), values in zip(members, figures):
+            found[ply.number] = _properties(layup, ply, values["area"], values["volume"], values["moment"])
+            errors.append(values["relative_error"])
+    return _totals(layup, tuple(found[ply.number] for ply, _, _ in plies), max(errors))
 
 
 def known_material(layup: Layup, name: str) -> Optional[Material]:
@@ -129,11 +135,12 @@ def known_material(layup: Layup, name: str) -> Optional[Material]:
         return None
 
 
-def _by_face(plies: Iterable[Tuple[PhysicalPly, Any]]) -> List[Tuple[Any, List[PhysicalPly]]]:
-    groups: Dict[int, Tuple[Any, List[PhysicalPly]]] = {}
-    for ply, face in plies:
-        groups.setdefault(id(face), (face, []))[1].append(ply)
-    return list(groups.values())
+def _properties(
+    layup: Layup, ply: PhysicalPly, area: float, volume: float, moment: Tuple[float, float, float]
+) -> PlyProperties:
+    mass = _mass(known_material(layup, ply.ply.material), area, volume)
+    center = FreeCAD.Vector(*moment) * (1.0 / volume)
+    return PlyProperties(ply.number, ply.name, ply.ply.material, ply.thickness, area, volume, mass, center)
 
 
 def _mass(material: Optional[Material], area: float, volume: float) -> Optional[float]:

@@ -2,6 +2,8 @@
 """Stacks in which plies cover parts of the face."""
 
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 import numpy
@@ -11,18 +13,24 @@ from . import _core
 from .api import Progress
 from .boundaries import Boundary
 from .layup import Layup, PhysicalPly
-from .mass_properties import MassProperties
+from .mass_properties import MassProperties, measure_partial
 from .report import OffsetReport
-from .stack import PlyStack, StackPly, stack_report
+from .stack import MaterialSolid, PlyStack, StackPly, stack_report
 
 SIGNS = {"normal": 1.0, "reversed": -1.0}
 
 
 @dataclass(frozen=True)
 class PartialStackPly(StackPly):
-    """A StackPly of a stack in which plies cover parts of the face; its levels are measured on its own surfaces."""
+    """A StackPly of a stack in which plies cover parts of the face; its levels are measured on its own surfaces.
+
+    Attributes:
+        whole_face: the lay-up face.
+        layer: the compiled part's LaidLayer: where it lies over base_face.
+    """
 
     whole_face: Any = None
+    layer: Any = None
 
     def heights(self, uv: Any) -> "Tuple[numpy.ndarray[Any, Any], numpy.ndarray[Any, Any]]":
         """The signed distances in mm of the surfaces of bottom and top from the lay-up face at parameters (n, 2), as two
@@ -35,33 +43,56 @@ class PartialStackPly(StackPly):
 
 
 class PartialPlyStack(PlyStack):
-    """A PlyStack in which plies cover parts of the face. Every ply has its own solid; solids of several plies and mass
-    properties are not made, since what lies between them is not the same everywhere."""
+    """A PlyStack in which plies cover parts of the face. Volumes and masses are those of the plies; pockets of resin do not
+    count."""
 
-    def mass_properties(self) -> MassProperties:
-        """Not made for plies with boundaries: raises ValueError."""
-        raise ValueError("Mass properties of stacks with boundaries are not computed; take plies without boundaries.")
+    def material_solids(self) -> Tuple[MaterialSolid, ...]:
+        """Neighbouring plies of one material that cover the same part of the face as one solid each, from the tool
+        outwards. Raises as ply_solids does."""
+        runs = [tuple(run) for _, run in groupby(self.plies, key=lambda ply: (ply.ply.ply.material, id(ply.base_face)))]
+        solids = self._solids([(run[0], run[-1]) for run in runs])
+        return tuple(MaterialSolid(run[0].ply.ply.material, run, solid) for run, solid in zip(runs, solids))
+
+    def laminate_solid(self) -> "Part.Solid":
+        """The whole laminate as one solid, from the first ply's bottom to the last ply's top, with the pockets of resin
+        between. The first and the last ply must cover the whole face, or all plies the same part of it: raises ValueError
+        else, and as ply_solids does."""
+        first, last = self.plies[0], self.plies[-1]
+        alike = all(ply.base_face is first.base_face for ply in self.plies)
+        if not alike:
+            for ply in (first, last):
+                if ply.ply.ply.boundary:
+                    raise ValueError(
+                        f"Ply {ply.ply.name} covers a part of the face only, so the laminate's solid has no single top and "
+                        "bottom; take ply_solids() or material_solids(), or begin and end with plies of the whole face."
+                    )
+        return self._solids([(first, last)])[0]
+
+    @cached_property
+    def _mass_properties(self) -> MassProperties:
+        return measure_partial(self.layup, [(ply.ply, ply.base_face, ply.layer) for ply in self.plies])
 
     def _solids(self, runs: Sequence[Tuple[StackPly, StackPly]]) -> "Tuple[Part.Solid, ...]":
-        if any(first is not last for first, last in runs):
-            raise ValueError("Plies with boundaries have no common solid; take the solid of every ply.")
         low_first = self.layup.direction == "normal"
         solids = []
-        for ply, _ in runs:
-            faces = [ply.bottom_face, ply.top_face] if low_first else [ply.top_face, ply.bottom_face]
+        for first, last in runs:
+            faces = [first.bottom_face, last.top_face] if low_first else [last.top_face, first.bottom_face]
             solids += _core.ply_solids(faces, [(0, 1)])
         return tuple(solids)
 
 
 @dataclass(frozen=True)
 class Laying:
-    """How plies are laid. Tolerance in mm; drop_off as drop_off_of gives it; insets: one for every ply, in mm."""
+    """How plies are laid. Tolerance and boundary_gap in mm; drop_off as drop_off_of gives it; insets: one for every ply,
+    in mm."""
 
     tolerance: float
     max_degree: Optional[int]
     surface: str
     drop_off: Tuple[float, Optional[float]]
     insets: Sequence[float]
+    ramp_slope: str
+    boundary_gap: Optional[float]
     progress: Optional[Progress]
 
 
@@ -71,7 +102,7 @@ def lay_partial_plies(
     """The stack of plies of which some have boundaries."""
     names = list(boundaries)
     ratio, ramp_length = how.drop_off
-    made, inset_error, elapsed = _core.stack_plies(
+    made, gaps, inset_error, elapsed = _core.stack_plies(
         face,
         [
             (ply.thickness, names.index(ply.ply.boundary) if ply.ply.boundary else None, inset)
@@ -84,15 +115,19 @@ def lay_partial_plies(
         start=plies[0].bottom,
         ratio=ratio,
         ramp_length=ramp_length,
+        ramp_slope=how.ramp_slope,
+        boundary_gap=how.boundary_gap,
         middle=how.surface == "middle",
         progress=how.progress,
     )
     stacked = []
     reports = []
-    for ply, (region, bottom, middle, top) in zip(plies, made):
+    for ply, (region, bottom, middle, top, layer, slopes) in zip(plies, made):
         shape, report, over_ramp = {"bottom": bottom, "middle": middle, "top": top}[how.surface]
         reports += [OffsetReport(one[1]) for one in (bottom, middle, top) if one]
-        laid = PartialStackPly(ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, whole_face=face)
-        stacked.append(laid)
-    report = {**stack_report(layup, plies, reports, False, elapsed), "inset_error": inset_error}
+        own = (ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, slopes)
+        stacked.append(PartialStackPly(*own, whole_face=face, layer=layer))
+    report = stack_report(layup, plies, reports, False, elapsed)
+    report["boundary_gaps"] = {name: gap for name, gap in zip(names, gaps) if gap is not None}
+    report["inset_error"] = inset_error
     return PartialPlyStack(layup, stacked, report, face)

@@ -14,7 +14,7 @@ import Part
 
 from . import _core
 from .api import Length, Progress, millimetres
-from .boundaries import Boundaries, Stagger, check_names, drop_off_of, insets, named_boundaries
+from .boundaries import Boundaries, Stagger, check_names, drop_off_of, gap_of, insets, named_boundaries
 from .core_sample import CoreSample, core_samples, covered, line_points, stack_thickness
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
@@ -23,6 +23,7 @@ from .report import OffsetReport
 from .rosette import Rosettes, fibre_directions, rosette_of
 
 SURFACES = ("bottom", "middle", "top")
+RAMP_SLOPES = ("mean", "steepest")
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class StackPly:
         base_face: the part of the lay-up face that the ply covers.
         over_ramp: whether `face` comes down over ramps of plies below; its distance from the lay-up face then varies,
             and the one in the report is that where every ply below is present.
+        ramp: how the plies above come down beside it, or None where none does: length in mm; start_slope and end_slope (0:
+            the ramp is level there), mean_slope and steepest_slope, heights over lengths along the face.
     """
 
     ply: PhysicalPly
@@ -47,6 +50,7 @@ class StackPly:
     report: OffsetReport
     base_face: "Part.Face"
     over_ramp: bool = False
+    ramp: Optional[Dict[str, float]] = None
     _stack: "Optional[PlyStack]" = field(default=None, repr=False, compare=False)
 
     @property
@@ -123,7 +127,8 @@ class PlyStack:
         plies: the StackPlys, from the tool outwards.
         report: the figures of the whole stack as a dict: plies, thickness, tolerance, the largest certified_error and
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
-            knots and trimming curves), partial_plies (those with a boundary) and elapsed_ms.
+            knots and trimming curves), partial_plies (those with a boundary) and elapsed_ms; with boundaries also
+            boundary_gaps (the largest distance seen of each from the face, by name) and inset_error.
         base_face: the lay-up face.
     """
 
@@ -222,7 +227,7 @@ class PlyStack:
 
     @cached_property
     def _mass_properties(self) -> MassProperties:
-        return measure(self.layup, [(ply.ply, ply.base_face) for ply in self.plies])
+        return measure(self.layup, self.base_face, [ply.ply for ply in self.plies])
 
     def _solids(self, runs: Sequence[Tuple[StackPly, StackPly]]) -> "Tuple[Part.Solid, ...]":
         """The solids from the first ply's bottom to the last ply's top of every run, all made at once."""
@@ -274,6 +279,7 @@ class PlyStack:
                 "thickness": ply.ply.thickness,
                 "boundary": ply.ply.ply.boundary,
                 "over_ramp": ply.over_ramp,
+                "ramp": ply.ramp,
                 "bottom": ply.ply.bottom,
                 "middle": ply.ply.middle,
                 "top": ply.ply.top,
@@ -296,6 +302,8 @@ def stack_plies(
     boundaries: Optional[Boundaries] = None,
     drop_off: Length = 20.0,
     stagger: Optional[Stagger] = None,
+    boundary_gap: Optional[Length] = None,
+    ramp_slope: str = "mean",
 ) -> PlyStack:
     """Lay the plies of a layup on a trimmed face.
 
@@ -318,9 +326,14 @@ def stack_plies(
         reduce: fits every surface on its own, with the fewest poles that its distance needs and a proof of its own;
             takes a fit for every ply. Stacks with boundaries are not reduced.
         boundaries: what the layup's boundaries stand for: {"name": shape or Boundary}.
-        drop_off: length of a ramp as a multiple of the thickness of the ply that ends there, or a FreeCAD length.
+        drop_off: length of a ramp as a multiple of the thickness of the ply that ends there, or a FreeCAD length. A ramp
+            begins and ends level, so in its middle it is some 1.4 to 1.8 times as steep as in the mean.
         stagger: distances in mm, or FreeCAD lengths, by which successive plies of one boundary keep inside of it: a
             list for every boundary, or {"name": list}.
+        boundary_gap: largest distance of a boundary from the face in mm, or a FreeCAD length; a boundary that stands
+            farther off is refused. None: a quarter of its own size or of the face's, whichever is less, 1 mm at least.
+        ramp_slope: "mean": drop_off is that of the whole ramp; "steepest": nowhere is the ramp steeper, and as much
+            longer.
 
     Returns:
         PlyStack with .plies[i].face, .solid and .report, .top_face, .report, .to_shape(), .mass_properties().
@@ -331,35 +344,51 @@ def stack_plies(
         ValueError: an argument is out of its range.
         TypeError: an argument is of another kind.
     """
-    if surface not in SURFACES:
-        raise ValueError(f"surface must be one of {', '.join(SURFACES)}; it is {surface!r}.")
+    _check_choice("surface", surface, SURFACES)
+    _check_choice("ramp_slope", ramp_slope, RAMP_SLOPES)
     layup = _directed(_read(layup), direction)
     known = named_boundaries(boundaries)
     check_names(layup, tuple(known))
     plies = _physical_plies(layup)
     ramp, kept_inside = drop_off_of(drop_off), insets(plies, stagger)
+    gap = None if boundary_gap is None else gap_of(boundary_gap)
+    limit = millimetres(tolerance, "tolerance")
     if any(ply.ply.boundary for ply in plies):
         from .partial_stack import Laying, lay_partial_plies
 
-        how = Laying(millimetres(tolerance, "tolerance"), max_degree, surface, ramp, kept_inside, progress)
+        how = Laying(limit, max_degree, surface, ramp, kept_inside, ramp_slope, gap, progress)
         stack: PlyStack = lay_partial_plies(face, layup, plies, known, how)
-        if solids:
-            stack.ply_solids()
-        return stack
-    levels, distances = _levels(plies, surface)
-    made, one_fit, elapsed = _core.offset_stack(
-        face, distances, millimetres(tolerance, "tolerance"), max_degree, reduce, progress
-    )
+    else:
+        levels, distances = _levels(plies, surface)
+        made = _core.offset_stack(face, distances, limit, max_degree, reduce, progress)
+        stack = _whole_plies(face, layup, plies, levels, distances, made)
+    if solids:
+        stack.ply_solids()
+    return stack
+
+
+def _check_choice(name: str, value: str, known: Sequence[str]) -> None:
+    if value not in known:
+        raise ValueError(f"{name} must be one of {', '.join(known)}; it is {value!r}.")
+
+
+def _whole_plies(
+    face: "Part.Face",
+    layup: Layup,
+    plies: Sequence[PhysicalPly],
+    levels: Sequence[float],
+    distances: Sequence[float],
+    laid: Tuple[List[Tuple[Any, Dict[str, Any]]], bool, float],
+) -> PlyStack:
+    """The stack of plies on the whole face, from the surfaces of all distances."""
+    made, one_fit, elapsed = laid
     surfaces = {distance: (shape, OffsetReport(report)) for distance, (shape, report) in zip(distances, made)}
     stacked = [
         StackPly(ply, surfaces[ply.bottom][0], surfaces[ply.top][0], *surfaces[level], face)
         for ply, level in zip(plies, levels)
     ]
     report = stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
-    stack = PlyStack(layup, stacked, report, face)
-    if solids:
-        stack.ply_solids()
-    return stack
+    return PlyStack(layup, stacked, report, face)
 
 
 def _read(layup: Union[Layup, str]) -> Layup:

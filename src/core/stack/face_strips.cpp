@@ -27,9 +27,9 @@ KnotVector knots_at(const std::vector<double> &breaks)
 class StripMaker
 {
 public:
-    StripMaker(const InputFace &input, const BaseSurface &base)
-        : m_input(input), m_us(base.interval_ends_u()), m_vs(base.interval_ends_v()), m_u_knots(knots_at(m_us)),
-          m_v_knots(knots_at(m_vs)), m_jumps(m_vs.size() - 1)
+    StripMaker(const InputFace &input, const std::vector<double> &us, const std::vector<double> &vs)
+        : m_input(input), m_us(us), m_vs(vs), m_u_knots(knots_at(m_us)), m_v_knots(knots_at(m_vs)),
+          m_jumps(m_vs.size() - 1)
     {
     }
 
@@ -198,9 +198,10 @@ StripRow FaceStrip::row(double y) const
     return {p.Y(), left, p.X(), (last - first) * slope.Y()};
 }
 
-Result<std::vector<FaceStrip>> face_strips(const InputFace &input, const BaseSurface &base)
+Result<std::vector<FaceStrip>> face_strips(const InputFace &input, const std::vector<double> &us,
+                                           const std::vector<double> &vs)
 {
-    return StripMaker(input, base).make();
+    return StripMaker(input, us, vs).make();
 }
 
 } // namespace laminate_offset

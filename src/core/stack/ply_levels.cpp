@@ -26,6 +26,10 @@ namespace
 constexpr int most_poles = 40000;
 // Of the surfaces' tolerance: what the family of constant distances may take from a fit over ramps.
 constexpr double family_share = 0.4;
+// A ramp is made longer so often, each time by what its slope says and a little more, or by this factor at least.
+constexpr int most_lengths = 8;
+constexpr double length_margin = 1.01;
+constexpr double least_growth = 1.02;
 
 //! What one surface is made of.
 struct Recipe
@@ -35,6 +39,12 @@ struct Recipe
     double nominal = 0.0;
     double constant = 0.0;               //!< the part of the distance that does not vary there
     std::optional<ScalarSpline> varying; //!< constant and varying part together
+};
+
+struct Share
+{
+    ScalarSpline spline;
+    PlyRamp ramp;
 };
 
 class LevelMaker
@@ -68,11 +78,18 @@ public:
             varies ? with_ramps(analysis.value()) : all_constant(analysis.value());
         if (!surfaces)
             return surfaces.failure();
-        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside};
+        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside, {}};
+        for (const LaidPly &ply : m_stacking.plies)
+        {
+            const auto known = m_shares.find({ply.region, ply.ramp});
+            levels.ramps.push_back(known == m_shares.end() ? std::nullopt
+                                                           : std::optional<PlyRamp>(known->second.value().ramp));
+        }
         const std::size_t between = m_stacking.plies.size() + 1;
         for (std::size_t i = 0; i < m_recipes.size(); ++i)
             (i < between ? levels.between : levels.middle)
-                .push_back({surfaces.value()[i], m_recipes[i].nominal, std::move(m_recipes[i].varying)});
+                .push_back({surfaces.value()[i], m_recipes[i].nominal, m_recipes[i].constant,
+                            std::move(m_recipes[i].varying)});
         return levels;
     }
 
@@ -155,11 +172,12 @@ private:
                 recipe.constant += thickness;
                 continue;
             }
-            const Result<ScalarSpline> &share = share_of(laid, base);
-            if (!share)
-                return share.failure();
+            const Result<Share> &found = share_of(laid, base);
+            if (!found)
+                return found.failure();
+            const ScalarSpline &share = found.value().spline;
             const auto touched = [&](double u0, double u1, double v0, double v1) { return needed({u0, u1, v0, v1}); };
-            if (const std::optional<double> same = share.value().constant_where(touched))
+            if (const std::optional<double> same = share.constant_where(touched))
             {
                 recipe.constant += *same * thickness;
                 continue;
@@ -167,7 +185,7 @@ private:
             const ParameterBox &box = base.box();
             if (!recipe.varying)
                 recipe.varying = ScalarSpline::constant(0.0, box.umin, box.umax, box.vmin, box.vmax);
-            recipe.varying = sum(*recipe.varying, thickness, share.value());
+            recipe.varying = sum(*recipe.varying, thickness, share);
         }
         if (!recipe.varying)
             return true;
@@ -182,13 +200,35 @@ private:
         return true;
     }
 
-    const Result<ScalarSpline> &share_of(const LaidPly &laid, const BaseSurface &base)
+    const Result<Share> &share_of(const LaidPly &laid, const BaseSurface &base)
     {
         const auto key = std::make_pair(laid.region, laid.ramp);
         const auto known = m_shares.find(key);
         if (known != m_shares.end())
             return known->second;
-        return m_shares.emplace(key, ply_share(base, m_regions[laid.region], laid.ramp, most_poles)).first->second;
+        return m_shares.emplace(key, made_share(laid, base)).first->second;
+    }
+
+    //! Where the steepest slope is given, the ramp grows until it holds.
+    Result<Share> made_share(const LaidPly &laid, const BaseSurface &base) const
+    {
+        const LoopRegion inside(m_input);
+        double length = laid.ramp;
+        for (int i = 0; i < most_lengths; ++i)
+        {
+            Result<ScalarSpline> share = ply_share(base, m_regions[laid.region], length, most_poles);
+            if (!share)
+                return share.failure();
+            const double steepest = steepest_slope(base, share.value(), inside);
+            if (!m_stacking.steepest || steepest * laid.ramp <= 1.0)
+                return Share{std::move(share).value(), {length, steepest}};
+            length *= std::max(least_growth, length_margin * steepest * laid.ramp);
+        }
+        return Failure{Status::NotSupported, Stage::Surface,
+                       fmt::format("No ramp beside the boundary '{}' is nowhere steeper than asked for; give the mean "
+                                   "slope of ramps instead, or smooth the boundary.",
+                                   m_regions[laid.region].name),
+                       std::nullopt, std::nullopt};
     }
 
     Result<std::vector<OffsetSurface>> all_constant(const SurfaceAnalysis &analysis) const
@@ -273,7 +313,7 @@ private:
     const OffsetOptions &m_options;
     std::vector<LoopRegion> m_inside; //!< of each region
     std::vector<Recipe> m_recipes;    //!< the surfaces between plies, then those in their middle
-    std::map<std::pair<std::size_t, double>, Result<ScalarSpline>> m_shares;
+    std::map<std::pair<std::size_t, double>, Result<Share>> m_shares;
 };
 
 } // namespace

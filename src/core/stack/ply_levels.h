@@ -20,13 +20,14 @@ struct LaidPly
 {
     double thickness = 0.0; //!< along S_u x S_v [mm], signed
     std::size_t region = 0; //!< which of the regions it covers
-    double ramp = 0.0;      //!< length of the ramp beside its edge [mm]
+    double ramp = 0.0;      //!< length of the ramp beside its edge [mm], or the least where its steepest slope is given
 };
 
 struct Stacking
 {
     double start = 0.0; //!< the first bottom's distance along S_u x S_v [mm]
     bool middle = false;
+    bool steepest = false;      //!< a ramp is so long that nowhere it is steeper than thickness / LaidPly::ramp
     std::vector<LaidPly> plies; //!< from the lay-up surface outwards
 };
 
@@ -35,15 +36,24 @@ struct PlyLevel
 {
     OffsetSurface surface;
     double nominal = 0.0;                 //!< distance where all plies below are present, along S_u x S_v [mm]
+    double constant = 0.0;                //!< the distance where it does not vary [mm]
     std::optional<ScalarSpline> distance; //!< where it varies
+};
+
+//! How a ply's share goes from 1 to 0, level at both ends.
+struct PlyRamp
+{
+    double length = 0.0;   //!< [mm]
+    double steepest = 0.0; //!< largest slope seen of the share, along the lay-up surface [1/mm]
 };
 
 struct PlyLevels
 {
-    SurfaceAnalysis analysis;       //!< of the whole face
-    std::vector<PlyLevel> between;  //!< below the first ply, between each two, above the last
-    std::vector<PlyLevel> middle;   //!< one for each ply, where asked for
-    std::vector<LoopRegion> inside; //!< of each region, its edges in short pieces
+    SurfaceAnalysis analysis;                  //!< of the whole face
+    std::vector<PlyLevel> between;             //!< below the first ply, between each two, above the last
+    std::vector<PlyLevel> middle;              //!< one for each ply, where asked for
+    std::vector<LoopRegion> inside;            //!< of each region, its edges in short pieces
+    std::vector<std::optional<PlyRamp>> ramps; //!< of each ply; empty where no ply above needs one
 
     //! The bottom (0) and the top (1) of a ply, or bottom (0), middle (1) and top (2).
     [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;

@@ -28,7 +28,8 @@ constexpr double samples_per_ramp = 6.0;
 constexpr double pieces_per_ramp = 24.0;
 constexpr int least_samples = 32;
 constexpr double most_samples = 2e4;
-constexpr int fan = 8; // directions around a corner
+constexpr int fan = 8;           // directions around a corner
+constexpr int slope_samples = 6; // steps of a span in which slopes are looked at
 // Densities of knots within this factor are made one; parameters within this part of the finest step are one.
 constexpr double same_density = 1.5;
 constexpr double same_place = 0.05;
@@ -448,6 +449,43 @@ bool torn_at_seam(const ScalarSpline &share, const InputFace &input, const Param
     return torn;
 }
 
+//! Is the share one number on the span that begins at a place?
+bool level_on(const ScalarSpline &share, double u, double v)
+{
+    const int first_u = share.u.span(u) - degree;
+    const int first_v = share.v.span(v) - degree;
+    for (int i = first_u; i <= first_u + degree; ++i)
+        for (int j = first_v; j <= first_v + degree; ++j)
+            if (share.pole(i, j) != share.pole(first_u, first_v))
+                return false;
+    return true;
+}
+
+//! The largest slope of a share at the places of a grid in one of its spans that are inside [1/mm].
+double steepest_in(const BaseSurface &base, const TensorSpline &share, const LoopRegion &inside,
+                   const ParameterBox &span)
+{
+    std::vector<double> us, vs;
+    for (int i = 0; i <= slope_samples; ++i)
+    {
+        us.push_back(span.umin + (span.umax - span.umin) * i / slope_samples);
+        vs.push_back(span.vmin + (span.vmax - span.vmin) * i / slope_samples);
+    }
+    const std::vector<SurfaceJet> places = base.jets(us, vs, 1);
+    const std::vector<SurfaceJet> values = share.jets(us, vs, 1);
+    double steepest = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const SurfaceJet &s = places[i];
+        const double e = s.u.squaredNorm(), f = s.u.dot(s.v), g = s.v.squaredNorm();
+        const double a = values[i].u.x(), b = values[i].v.x();
+        const double square = (g * a * a - 2.0 * f * a * b + e * b * b) / (e * g - f * f);
+        if (square > steepest * steepest && inside.contains({us[i / vs.size()], vs[i % vs.size()]}))
+            steepest = std::sqrt(square);
+    }
+    return steepest;
+}
+
 } // namespace
 
 LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length)
@@ -469,6 +507,22 @@ LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double 
         }
     }
     return LoopRegion(fine);
+}
+
+double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
+{
+    const std::vector<double> us = share.u.breaks();
+    const std::vector<double> vs = share.v.breaks();
+    const TensorSpline values = share.as_surface();
+    double steepest = 0.0;
+    for (std::size_t k = 0; k + 1 < us.size(); ++k)
+        for (std::size_t l = 0; l + 1 < vs.size(); ++l)
+        {
+            const ParameterBox span{us[k], us[k + 1], vs[l], vs[l + 1]};
+            if (!level_on(share, us[k], vs[l]) && inside.may_touch(span))
+                steepest = std::max(steepest, steepest_in(base, values, inside, span));
+        }
+    return steepest;
 }
 
 Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region, double length, int most_poles)

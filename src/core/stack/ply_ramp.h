@@ -6,7 +6,8 @@
 //! The share is a cubic spline with simple knots, so it is C2 and level at both ends of the ramp. It is exactly 1 on the ply,
 //! because every pole that acts on a span touched by the ply is 1, and exactly 0 from the ramp's end on, because every
 //! pole that acts past it is 0. Poles between fall with the distance in space from the ply's edge. Knots stand only where
-//! a ramp crosses their direction, some six to a ramp; a ply whose edge runs along a parameter line needs nearly none in
+//! a ramp crosses their direction, some six to a ramp. In the middle of a straight ramp the share is some 1.4 to 1.8
+//! times as steep as in the mean; a ply whose edge runs along a parameter line needs nearly none in
 //! the other direction.
 #pragma once
 
@@ -24,6 +25,9 @@ namespace laminate_offset
 //! \param most_poles a share of more poles is refused.
 //! Refusal at Stage::Surface: NotSupported, with the ramp that would be long enough.
 Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region, double length, int most_poles);
+
+//! The largest slope of a share along the surface, seen at places inside [1/mm].
+double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside);
 
 //! The inside of a region whose cut edges are in pieces short enough for ramps of a length [mm]: a span next to a long
 //! piece's box would count as touched.

@@ -3,19 +3,25 @@
 
 import os
 from dataclasses import asdict, dataclass
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
+from ..boundaries import SIDES, drop_off_of
+from ..boundary_texts import parse_drop_off, parse_side, parse_stagger
 from ..files import FORMATS
 from ..layup.errors import LayupError, Problem, ProblemsError, quoted
 from ..layup.fields import MAX_LENGTH, number, text
 from ..layup.tables import delimiter_of, rows_of
 from ..layup.text_files import read_text
+from ..stack import RAMP_SLOPES
 
-COLUMNS = ("input", "face", "distance", "layup", "tolerance", "output")
+BOUNDING = ("boundaries", "side", "drop_off", "ramp_slope", "stagger", "boundary_gap")
+COLUMNS = ("input", "face", "distance", "layup", "tolerance", "output", *BOUNDING)
 REQUIRED = ("input", "face", "output")
 # Other names that a column may have in the header.
-ALIASES = {"distance_mm": "distance", "tolerance_mm": "tolerance"}
-NUMBERS = ("distance", "tolerance")
+ALIASES = {"distance_mm": "distance", "tolerance_mm": "tolerance", "boundary_gap_mm": "boundary_gap"}
+NUMBERS = ("distance", "tolerance", "drop_off", "boundary_gap")
+# Between the entries of one cell.
+BETWEEN = "|"
 
 RECORD_ENDING = ".json"
 SUMMARY = "summary.csv"
@@ -38,6 +44,11 @@ class Job:
         layup: the file of the layup, found as the input is; "" for an offset.
         tolerance: in mm; None: the default.
         output: the result's file, within the folder of results.
+        boundaries: the file of what bounds the layup's plies, found as the input is; "" where there is none.
+        side, stagger: entries "NAME=SIDE" and "NAME=D,D,...".
+        drop_off: a multiple of a ply's thickness or a length, as text; "" for the default.
+        ramp_slope: "mean", "steepest" or "" for the default.
+        boundary_gap: in mm; None: the default.
     """
 
     row: int
@@ -47,12 +58,20 @@ class Job:
     layup: str
     tolerance: Optional[float]
     output: str
+    boundaries: str = ""
+    side: Tuple[str, ...] = ()
+    drop_off: str = ""
+    ramp_slope: str = ""
+    stagger: Tuple[str, ...] = ()
+    boundary_gap: Optional[float] = None
 
     def task(self) -> Dict[str, Any]:
-        """What is to be done, without the row's number: a job that moves in the table is still the same."""
+        """What is to be done, as JSON has it, without the row's number, since a job that moves in the table is still the
+        same, and without the columns on boundaries that say nothing."""
         values = asdict(self)
         del values["row"]
-        return values
+        told = {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
+        return {name: value for name, value in told.items() if name not in BOUNDING or value not in ("", [], None)}
 
 
 def read_jobs(path: str) -> List[Job]:
@@ -138,6 +157,12 @@ def _job(row: int, texts: Mapping[str, str]) -> Tuple[Job, List[Problem]]:
         value("tolerance", positive, f"a number of mm above 0, at most {MAX_LENGTH:g}, or nothing"),
         value("output", _output, f"a file name within the folder of results, ending in one of {', '.join(FORMATS)}")
         or "",
+        value("boundaries", text, "the name of a STEP, IGES, BREP or FCStd file, or nothing") or "",
+        value("side", _entries(parse_side), f"NAME=SIDE with one of {', '.join(SIDES)}, more of them after |") or (),
+        value("drop_off", _drop_off, "a multiple of a ply's thickness, a length such as 5mm, or nothing") or "",
+        value("ramp_slope", _ramp_slope, f"one of {', '.join(RAMP_SLOPES)}, or nothing") or "",
+        value("stagger", _entries(parse_stagger), "NAME=D,D,... with distances in mm, more of them after |") or (),
+        value("boundary_gap", number(0.0, MAX_LENGTH, optional=True), "a number of mm, zero or more, or nothing"),
     )
     return job, problems or _together(job)
 
@@ -150,7 +175,17 @@ def _together(job: Job) -> List[Problem]:
         return [Problem("distance", "nothing", "a number of mm, or a layup", job.row)]
     if job.layup and job.face is None:
         return [Problem("face", "'all'", "a face number: a stack lies on one face", job.row)]
+    told = [name for name in BOUNDING if name in job.task()]
+    if told and not job.layup:
+        return [Problem(told[0], quoted(_shown(job, told[0])), "nothing where no layup is given", job.row)]
+    if job.side and not job.boundaries:
+        return [Problem("side", quoted(_shown(job, "side")), "nothing where no boundaries are given", job.row)]
     return []
+
+
+def _shown(job: Job, name: str) -> str:
+    value = getattr(job, name)
+    return BETWEEN.join(value) if isinstance(value, tuple) else str(value)
 
 
 def _overfull(row: int, cells: Sequence[str], width: int) -> List[Problem]:
@@ -185,6 +220,30 @@ def _face(value: str) -> Optional[int]:
     if not value.strip().isascii() or not value.strip().isdigit() or not 1 <= int(value) <= 10**9:
         raise ValueError
     return int(value)
+
+
+def _entries(parse: Callable[[str], Any]) -> Callable[[str], Tuple[str, ...]]:
+    """Of one cell."""
+
+    def entries(value: str) -> Tuple[str, ...]:
+        found = tuple(part.strip() for part in text(value).split(BETWEEN) if part.strip())
+        for entry in found:
+            parse(entry)
+        return found
+
+    return entries
+
+
+def _drop_off(value: str) -> str:
+    if text(value):
+        drop_off_of(parse_drop_off(text(value)))
+    return text(value)
+
+
+def _ramp_slope(value: str) -> str:
+    if text(value) and text(value) not in RAMP_SLOPES:
+        raise ValueError
+    return text(value)
 
 
 def _output(value: str) -> str:

@@ -260,6 +260,8 @@ def _order(job: Job, table_folder: str, folder: str) -> _Order:
     paths = {"input": resolve(job.input, table_folder), "output": os.path.abspath(os.path.join(folder, job.output))}
     if job.layup:
         paths["layup"] = resolve(job.layup, table_folder)
+    if job.boundaries:
+        paths["boundaries"] = resolve(job.boundaries, table_folder)
     return _Order(job, paths)
 
 

@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 import Part
 
 from .. import _core
+from ..boundary_texts import boundaries_of, parse_drop_off, parse_side, parse_stagger
 from ..each_face import FaceOutcome, OffsetRequest, choose, kernel_error, offset_each, refusal_line
 from ..errors import OffsetError
 from ..files import read_faces, write_shape
@@ -31,8 +32,8 @@ def carry_out(
 
     Args:
         task: the row, see Job.task.
-        paths: where "input", "layup" (if any) and "output" are.
-        digests: those of the input and the layup.
+        paths: where "input", "layup" and "boundaries" (if any) and "output" are.
+        digests: those of the files that are read.
     """
     start = time.monotonic()
     output = paths["output"]
@@ -75,13 +76,24 @@ def _stack(task: Mapping[str, Any], paths: Mapping[str, str], digests: Mapping[s
     layup = read_layup(paths["layup"])
     ((_, face),) = choose(_faces(paths["input"], digests["input"]), task["face"], task["input"])
     try:
-        stack = stack_plies(face, layup, _tolerance(task))
+        stack = stack_plies(face, layup, _tolerance(task), **_bounding(task, paths))
     except OffsetError:
         raise
     except (RuntimeError, MemoryError) as error:
         raise kernel_error(error) from error
     stack.export(paths["output"])
     return DONE, "", {**stack.report, "stack": stack.ply_reports()}, _figures([stack.report], len(stack.plies))
+
+
+def _bounding(task: Mapping[str, Any], paths: Mapping[str, str]) -> Dict[str, Any]:
+    """What stack_plies takes for plies with boundaries; what the row does not say is left to it."""
+    sides = [parse_side(entry) for entry in task.get("side", ())]
+    options: Dict[str, Any] = {"boundaries": boundaries_of(paths.get("boundaries"), sides, "side")}
+    if "drop_off" in task:
+        options["drop_off"] = parse_drop_off(task["drop_off"])
+    if "stagger" in task:
+        options["stagger"] = dict(parse_stagger(entry) for entry in task["stagger"])
+    return {**options, **{name: task[name] for name in ("ramp_slope", "boundary_gap") if name in task}}
 
 
 @lru_cache(maxsize=1)

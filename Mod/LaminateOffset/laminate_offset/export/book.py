@@ -13,7 +13,6 @@ from ..messages import number, surface_type
 from ..ply_colours import Colour, angle_colour
 from ..replacing import replacing
 from ..rosette import Rosette
-from .parts import measures_of
 from .pictures import ply_picture, require_matplotlib, section_picture, view_of
 
 if TYPE_CHECKING:
@@ -111,14 +110,13 @@ def _totals(stack: "PlyStack") -> Iterable[Tuple[str, str]]:
         pass
     yield "Stacked", "along the outward normal" if report["direction"] == "normal" else "against the outward normal"
     yield "On the lay-up surface", REFERENCES[report["reference"]]
-    figures = measures_of(stack)
-    if figures is not None:
-        yield "Area of all plies", _area(figures.area)
-        yield from _sizes(figures)
+    figures = stack.mass_properties()
+    yield "Area of all plies", _area(figures.area)
+    yield from _sizes(figures)
     yield "Tolerance", number(report["tolerance"])
     yield "Proven error of surfaces", _proven(report["certified_error"])
     yield "Proven error of edges", _proven(report["edge_error"])
-    for material in figures.materials if figures is not None else ():
+    for material in figures.materials:
         mass = "mass not known" if material.mass is None else number(material.mass, "kg")
         yield f"Material {material.material}", f"{material.plies} plies, {_area(material.area)}, {mass}"
 
@@ -131,10 +129,9 @@ def _ply_table(stack: "PlyStack") -> str:
     return f'<table class="plies"><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>'
 
 
-def _measured(stack: "PlyStack") -> "List[Tuple[StackPly, Optional[PlyProperties]]]":
-    """Every ply with its area, volume and mass, if these are known."""
-    figures = measures_of(stack)
-    return [(ply, None if figures is None else figures.plies[index]) for index, ply in enumerate(stack.plies)]
+def _measured(stack: "PlyStack") -> "List[Tuple[StackPly, PlyProperties]]":
+    """Every ply with its area, volume and mass."""
+    return list(zip(stack.plies, stack.mass_properties().plies))
 
 
 def _sizes(measures: Any) -> Iterable[Tuple[str, str]]:
@@ -143,7 +140,7 @@ def _sizes(measures: Any) -> Iterable[Tuple[str, str]]:
     yield "Centre of gravity", _place(measures.center)
 
 
-def _row(ply: "StackPly", measures: Optional[PlyProperties]) -> str:
+def _row(ply: "StackPly", measures: PlyProperties) -> str:
     physical, row = ply.ply, ply.ply.ply
     name = f'{_swatch(angle_colour(row.angle))}<a href="#ply{physical.number}">{escape(physical.name)}</a>'
     levels = (physical.thickness, physical.bottom, physical.middle, physical.top)
@@ -153,13 +150,13 @@ def _row(ply: "StackPly", measures: Optional[PlyProperties]) -> str:
         (escape(row.material), False),
         (f"{row.angle:g}{DEGREE}", True),
         *((_length(level), True) for level in levels),
-        (NOTHING if measures is None or measures.mass is None else f"{measures.mass:.4g}", True),
+        (NOTHING if measures.mass is None else f"{measures.mass:.4g}", True),
         (escape(row.boundary) or NOTHING, False),
     ]
     return "<tr>" + "".join(f"<td{_class(right)}>{text}</td>" for text, right in cells) + "</tr>\n"
 
 
-def _page(stack: "PlyStack", ply: "StackPly", measures: Optional[PlyProperties], picture: bytes) -> str:
+def _page(stack: "PlyStack", ply: "StackPly", measures: PlyProperties, picture: bytes) -> str:
     physical = ply.ply
     title = f"{_swatch(angle_colour(physical.ply.angle))}Ply {physical.number}: {escape(physical.name)}"
     image = _image(picture, f"Ply {physical.name} from outside, fibres at {physical.ply.angle:g} degrees")
@@ -169,7 +166,7 @@ def _page(stack: "PlyStack", ply: "StackPly", measures: Optional[PlyProperties],
     )
 
 
-def _figures(stack: "PlyStack", ply: "StackPly", measures: Optional[PlyProperties]) -> Iterable[Tuple[str, str]]:
+def _figures(stack: "PlyStack", ply: "StackPly", measures: PlyProperties) -> Iterable[Tuple[str, str]]:
     physical, row, report = ply.ply, ply.ply.ply, ply.report
     yield "Material", row.material
     for material in stack.layup.materials:
@@ -179,9 +176,8 @@ def _figures(stack: "PlyStack", ply: "StackPly", measures: Optional[PlyPropertie
     yield "Thickness", f"{_length(physical.thickness)} mm"
     yield "Bottom, middle, top", ", ".join(map(_length, (physical.bottom, physical.middle, physical.top))) + " mm"
     yield "Boundary", row.boundary or "the whole face"
-    if measures is not None:
-        yield "Area", _area(measures.area)
-        yield from _sizes(measures)
+    yield "Area", _area(measures.area)
+    yield from _sizes(measures)
     yield "Surface", surface_type(report["surface"])
     more = ", where all plies below are present" if ply.over_ramp else ""
     yield "At distance", f"{_length(report['distance'])} mm{more}"

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A stack as named and coloured parts: what STEP files and documents hold."""
 
-from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, List, NamedTuple
 
-from ..mass_properties import MassProperties
 from ..ply_colours import Colour, angle_colour
 
 if TYPE_CHECKING:
@@ -29,8 +28,3 @@ def assembly_name(stack: "PlyStack") -> str:
     """What the whole is called."""
     count = len(stack.plies)
     return f"Stack of {count} {'ply' if count == 1 else 'plies'}, {stack.report['thickness']:g} mm"
-
-
-def measures_of(stack: "PlyStack") -> Optional[MassProperties]:
-    """Areas, volumes and masses; None for a stack with plies on parts of the face, for which they are not computed."""
-    return None if stack.report["partial_plies"] else stack.mass_properties()

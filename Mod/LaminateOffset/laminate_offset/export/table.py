@@ -2,11 +2,10 @@
 """The ply table: CSV with one row a ply, from the tool outwards."""
 
 import csv
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Tuple
 
 from ..mass_properties import PlyProperties
 from ..replacing import replacing
-from .parts import measures_of
 
 if TYPE_CHECKING:
     from ..stack import PlyStack, StackPly
@@ -36,16 +35,14 @@ def write_table(stack: "PlyStack", path: str) -> None:
         with open(temporary, "w", encoding="utf-8", newline="") as stream:
             writer = csv.writer(stream, lineterminator="\n")
             writer.writerow(HEADER)
-            figures = measures_of(stack)
-            for index, ply in enumerate(stack.plies):
-                measures = None if figures is None else figures.plies[index]
+            for ply, measures in zip(stack.plies, stack.mass_properties().plies):
                 writer.writerow([_cell(value) for value in _row(ply, measures)])
 
 
-def _row(ply: "StackPly", measures: Optional[PlyProperties]) -> Tuple[Any, ...]:
+def _row(ply: "StackPly", measures: PlyProperties) -> Tuple[Any, ...]:
     physical, row = ply.ply, ply.ply.ply
     levels = (physical.thickness, physical.bottom, physical.middle, physical.top)
-    sizes = (None, None, None) if measures is None else (measures.area, measures.volume, measures.mass)
+    sizes = (measures.area, measures.volume, measures.mass)
     errors = (ply.report.certified_error, ply.report.edge_error)
     laid = (row.boundary, "yes" if ply.over_ramp else "no")
     return (physical.number, physical.name, row.material, row.angle, *levels, *laid, *sizes, *errors)

@@ -33,6 +33,13 @@ class PlyStackFeature(Feature):
             "App::PropertyLinkList", "Boundaries", "Stack", "Curves that bound plies; the layup calls them by label"
         ),
         Property("App::PropertyFloat", "DropOff", "Stack", "Length of a ramp over its height, where plies end", 20.0),
+        Property(
+            "App::PropertyLength",
+            "BoundaryGap",
+            "Stack",
+            "Largest distance of a boundary from the face; 0: a quarter of its size",
+            0.0,
+        ),
         Property("App::PropertyLength", "Tolerance", "Stack", "Largest deviation of every surface", 1e-3),
         Property("App::PropertyEnumeration", "Surface", "Stack", "Which surface of a ply is made", list(SURFACES)),
         Property(
@@ -207,6 +214,7 @@ def _stack(obj: Any) -> Any:
         "solids": obj.Solids,
         "boundaries": {boundary.Label: _global_shape(boundary) for boundary in obj.Boundaries},
         "drop_off": obj.DropOff,
+        "boundary_gap": obj.BoundaryGap.Value or None,
     }
     try:
         return progress.run(obj.Label, lambda report: lo.stack_plies(face, layup, progress=report, **options))
