@@ -146,16 +146,14 @@ struct Proof
     }
 };
 
-//! \param given the curve that each part is an image of.
-CurveProjection summary(const std::vector<ImagePart> &parts, const std::vector<Handle(Geom_Curve)> &given,
-                        const InputFace &input, double tolerance)
+CurveProjection summary(const std::vector<ImagePart> &parts, const InputFace &input, double tolerance)
 {
     CurveProjection result;
     result.certified_error = 0.0;
-    for (std::size_t k = 0; k < parts.size(); ++k)
+    for (const ImagePart &part : parts)
     {
-        const ImagePiece &piece = parts[k].piece;
-        ProjectedEdge edge{piece.pcurve,          given[k],         piece.first,   piece.last, std::nullopt,
+        const ImagePiece &piece = part.piece;
+        ProjectedEdge edge{piece.pcurve,          part.given,       piece.first,   piece.last, std::nullopt,
                            piece.deviation.bound, piece.on_surface, piece.distance};
         if (piece.deviation.proven)
             edge.certified_error = piece.deviation.bound;
@@ -191,10 +189,10 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
         search,        surface.value(), box, proof.surface, proof.form ? &*proof.form : nullptr, proof.model_error,
         input.diagonal};
     std::vector<ImagePart> parts;
-    std::vector<Handle(Geom_Curve)> curves;
     for (std::size_t i = 0; i < given.value().curves.size(); ++i)
     {
-        Result<std::vector<ImagePiece>> pieces = image_of(on, given.value().curves[i], options.tolerance);
+        const SpaceCurve &curve = given.value().curves[i];
+        Result<std::vector<ImagePiece>> pieces = image_of(on, curve, options.tolerance);
         if (!pieces)
             return pieces.failure();
         const bool reversed = given.value().reversed[i] != 0;
@@ -202,15 +200,15 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
             std::reverse(pieces.value().begin(), pieces.value().end());
         for (ImagePiece &piece : pieces.value())
         {
-            parts.push_back({std::move(piece), reversed});
-            curves.push_back(given.value().curves[i].curve);
+            const bool clipped = piece.first > curve.first || piece.last < curve.last;
+            parts.push_back({std::move(piece), reversed, curve.curve, clipped});
         }
     }
     if (parts.empty())
         return refusal(Status::NotSupported,
                        "No part of the curve has its nearest point inside the face's surface; move the curve, or "
                        "extend the face.");
-    return summary(parts, curves, input, options.tolerance);
+    return summary(without_slivers(parts, options.tolerance), input, options.tolerance);
 }
 
 } // namespace

@@ -5,17 +5,21 @@
 
 #include <laminate_offset/project_curve.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gp_Circ.hxx>
 #include <gtest/gtest.h>
 
 using namespace laminate_offset;
@@ -131,6 +135,35 @@ TEST(ProjectCurve, PartsOutsideAreClippedOrTheSurfaceGoesOn)
     EXPECT_LT(clipped.value().edges.front().last, 40.1);
     EXPECT_NEAR(extended.value().edges.front().first, 0.0, 1e-9);
     EXPECT_GT(extended.value().edges.front().last, 60.0);
+}
+
+TEST(ProjectCurve, NoSliverIsLeftWhereACurveComesBackToTheBorder)
+{
+    const double radius = 100.0, sector = 2.0 * M_PI / 3.0;
+    const TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), radius), 0.0, sector, 0.0, 300.0, 1e-7);
+    int in_two = 0;
+    for (const double off : {0.0, 0.5, -1.0})
+        for (const double turn : {0.0, 1e-9, -1e-9, 1e-7, 0.3, 2.0, sector, 3.0, 5.0})
+            for (const double tolerance : {1e-2, 1e-3, 1e-5})
+            {
+                const gp_Dir x(std::cos(turn), std::sin(turn), 0.0);
+                const TopoDS_Edge round = BRepBuilderAPI_MakeEdge(
+                    gp_Circ(gp_Ax2(gp_Pnt(0.0, 0.0, 150.0), gp_Dir(0.0, 0.0, 1.0), x), radius + off));
+                const auto image = project_curve(face, round, {tolerance, Outside::Clip});
+                ASSERT_TRUE(image) << image.failure().message;
+                double length = 0.0;
+                for (TopExp_Explorer it(image.value().wire, TopAbs_EDGE); it.More(); it.Next())
+                {
+                    const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+                    const double part = GCPnts_AbscissaPoint::Length(curve);
+                    EXPECT_GE(part, tolerance) << off << " " << turn;
+                    length += part;
+                }
+                EXPECT_NEAR(length, sector * radius, 4.0 * tolerance) << off << " " << turn;
+                in_two += image.value().edges.size() == 2 ? 1 : 0;
+            }
+    EXPECT_GE(in_two, 9); // the circle begins inside
 }
 
 TEST(ProjectCurve, NoSurfaceGoesOnPastItsLastKnot)

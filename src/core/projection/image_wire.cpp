@@ -53,12 +53,50 @@ TopoDS_Edge edge_of(const InputFace &input, const ImagePart &part, const TopoDS_
     return TopoDS::Edge(edge.Oriented(part.reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
 }
 
+double joining_distance(double tolerance) { return 2.0 * std::max(tolerance, Precision::Confusion()); }
+
+//! Shorter than a length?
+bool shorter(const ImagePart &part, double length)
+{
+    constexpr int steps = 8;
+    const ImagePiece &piece = part.piece;
+    double sum = 0.0;
+    gp_Pnt before = piece.curve->Value(piece.first);
+    for (int i = 1; i <= steps; ++i)
+    {
+        const gp_Pnt here = piece.curve->Value(piece.first + (piece.last - piece.first) * i / steps);
+        sum += before.Distance(here);
+        before = here;
+    }
+    return sum < length;
+}
+
 } // namespace
+
+std::vector<ImagePart> without_slivers(const std::vector<ImagePart> &parts, double tolerance)
+{
+    const double near = joining_distance(tolerance);
+    const auto joined = [&](const ImagePart &a, const ImagePart &b) {
+        return end_of(a, true).Distance(end_of(b, false)) <= near;
+    };
+    std::vector<ImagePart> kept = parts;
+    for (std::size_t i = 0; i < kept.size() && kept.size() > 1;)
+    {
+        const ImagePart &before = kept[(i + kept.size() - 1) % kept.size()];
+        const ImagePart &after = kept[(i + 1) % kept.size()];
+        const bool links = joined(before, kept[i]) && joined(kept[i], after);
+        if (kept[i].clipped && shorter(kept[i], tolerance) && (!links || joined(before, after)))
+            kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+    return kept;
+}
 
 TopoDS_Shape image_wires(const InputFace &input, const std::vector<ImagePart> &parts, double tolerance)
 {
     const BRep_Builder builder;
-    const double near = 2.0 * std::max(tolerance, Precision::Confusion());
+    const double near = joining_distance(tolerance);
     std::vector<TopoDS_Wire> wires;
     std::size_t first = 0;
     while (first < parts.size())

@@ -189,7 +189,7 @@ public:
             const Result<ImagePiece> piece = fitted(part, error);
             if (!piece)
                 return piece.failure();
-            result.push_back({piece.value(), false});
+            result.push_back({piece.value(), false, {}, false});
         }
         return result;
     }
