@@ -252,3 +252,22 @@ def test_the_command_takes_boundaries_from_a_file(
     assert cli.main(arguments + ramps + asked + ["--calculix", str(tmp_path / "section.inp")]) == 2
     said = capfd.readouterr().err
     assert "P1, P2, P3 cover parts of the face only" in said and "wrote" not in said and not output.exists()
+
+
+@pytest.mark.parametrize("middle", [(50.0, 30.0), (37.3, 28.1)])
+@pytest.mark.parametrize("turn", [0.0, 90.0, 180.0, 211.0])
+def test_no_ridge_beside_a_patch_whose_curve_ends_where_a_sample_lies(middle, turn) -> None:
+    """The image of a circle ends where it began but for rounding, and knots stand beside its extremes at equal distances, so
+    that a line of samples runs right through that end."""
+    face = Part.makePlane(100, 60)
+    x, y = middle
+    circle = Part.makeCircle(10, FreeCAD.Vector(x, y, 0))
+    circle.rotate(FreeCAD.Vector(x, y, 0), FreeCAD.Vector(0, 0, 1), turn)
+    stack = lo.stack_plies(face, layup("", "patch", "", thickness=0.2), boundaries={"patch": Part.Wire([circle])})
+    across = numpy.concatenate([numpy.linspace(0, 100, 201)[:, None], numpy.full((201, 1), y)], axis=1)
+    along = numpy.concatenate([numpy.full((121, 1), x), numpy.linspace(0, 60, 121)[:, None]], axis=1)
+    places = numpy.concatenate([across, along])
+    away = numpy.hypot(*(places - middle).T)
+    low = stack.plies[2].heights(places)[0]
+    assert (away > 16).sum() > 150 and low[away > 16] == pytest.approx(0.2, abs=2e-3)
+    assert (away < 9).sum() > 50 and low[away < 9] == pytest.approx(0.4, abs=2e-3)

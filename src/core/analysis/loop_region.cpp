@@ -11,6 +11,8 @@ namespace
 // A loop that runs along a rectangle's border does not touch it; pcurves miss their line by rounding.
 constexpr double grazing = 1e-10;
 constexpr std::size_t pieces_per_band = 4;
+// Gaps between curves that belong together are narrower, in parts of the loops' box.
+constexpr double widest_gap = 1e-3;
 
 ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
 {
@@ -25,6 +27,47 @@ ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
     return box;
 }
 
+//! The ends of a loop's curves, two a curve.
+std::vector<gp_Pnt2d> curve_ends(const TrimmingLoop &loop)
+{
+    std::vector<gp_Pnt2d> ends;
+    for (const TrimmingCurve &curve : loop.curves)
+        if (curve.bounds_face() && !curve.pieces.empty())
+        {
+            ends.push_back(curve.pieces.front().start);
+            ends.push_back(curve.pieces.back().end);
+        }
+    return ends;
+}
+
+PcurvePiece straight_piece(const gp_Pnt2d &a, const gp_Pnt2d &b)
+{
+    return {a, b, {std::min(a.X(), b.X()), std::max(a.X(), b.X()), std::min(a.Y(), b.Y()), std::max(a.Y(), b.Y())}};
+}
+
+//! The pieces that join each end of a loop's curves to the nearest other one: ends that belong together differ by
+//! rounding or by the vertex's tolerance, and a ray through such a gap would count one crossing too few. Every end is
+//! joined to one other, so that every line crosses the loop an even number of times, however they are paired.
+std::vector<PcurvePiece> closing_pieces(const TrimmingLoop &loop, double widest)
+{
+    std::vector<gp_Pnt2d> ends = curve_ends(loop);
+    std::vector<PcurvePiece> closing;
+    while (!ends.empty())
+    {
+        const gp_Pnt2d end = ends.back();
+        ends.pop_back();
+        const auto other = std::min_element(ends.begin(), ends.end(), [&](const gp_Pnt2d &a, const gp_Pnt2d &b) {
+            return end.SquareDistance(a) < end.SquareDistance(b);
+        });
+        const double gap = end.Distance(*other);
+        if (gap > 0.0 && gap <= widest)
+            closing.push_back(straight_piece(end, *other));
+        *other = ends.back();
+        ends.pop_back();
+    }
+    return closing;
+}
+
 } // namespace
 
 LoopRegion::LoopRegion(const InputFace &input)
@@ -34,6 +77,12 @@ LoopRegion::LoopRegion(const InputFace &input)
             if (curve.bounds_face())
                 m_pieces.insert(m_pieces.end(), curve.pieces.begin(), curve.pieces.end());
     m_bounds = bounds_of(m_pieces);
+    const double size = std::max(m_bounds.umax - m_bounds.umin, m_bounds.vmax - m_bounds.vmin);
+    for (const TrimmingLoop &loop : input.loops)
+    {
+        const std::vector<PcurvePiece> closing = closing_pieces(loop, widest_gap * size);
+        m_pieces.insert(m_pieces.end(), closing.begin(), closing.end());
+    }
     const std::size_t bands = m_pieces.size() / pieces_per_band + 1;
     m_bands.assign(bands + 1, 0);
     std::vector<std::vector<std::size_t>> chords(bands);
