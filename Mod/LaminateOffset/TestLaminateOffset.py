@@ -74,6 +74,21 @@ class TestLaminateOffset(unittest.TestCase):
         self.assertEqual(core.PlyCount, 8)
         self.assertAlmostEqual(core.Thickness.Value, layup.Thickness.Value)
 
+    def test_stack_section(self):
+        from laminate_offset.features.layup import make_layup
+        from laminate_offset.features.ply_stack import make_ply_stack
+        from laminate_offset.features.stack_section import make_stack_section
+        from laminate_offset.layup import layup_from_notation
+
+        layup = make_layup(self.doc, layup_from_notation("[0/90]", "IM7-8552-134"))
+        section = make_stack_section(make_ply_stack(self.ball, "Face1", layup), (0, 0, 1), 0)
+        self.assertEqual([section.Status, section.PlyCount], ["ok", 2])
+
+    def test_curvature_map(self):
+        from laminate_offset.features.curvature_map import make_curvature_map
+
+        self.assertAlmostEqual(make_curvature_map(self.ball, "Face1", -5).LargestUse, 0.5)
+
     def test_deviation_map(self):
         from laminate_offset.features.deviation_map import make_deviation_map
         from laminate_offset.features.offset_face import make_offset_face

@@ -69,6 +69,112 @@
     </message>
 </context>
 <context>
+    <name>CurvatureMapPanel</name>
+    <message>
+        <source>Curvature Map</source>
+        <translation>Krümmungskarte</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Press, then click a face in the 3-D view; Ctrl+click adds further faces</source>
+        <translation>Drücken, dann eine Fläche in der 3D-Ansicht anklicken; Strg+Klick fügt weitere hinzu</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Sample the faces that are listed</source>
+        <translation>Die aufgeführten Flächen abtasten</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>Take the selected faces out of the list</source>
+        <translation>Nimmt die ausgewählten Flächen aus der Liste</translation>
+    </message>
+    <message>
+        <source>The faces; select some and press Remove to take them out</source>
+        <translation>Die Flächen; ausgewählte nimmt Entfernen heraus</translation>
+    </message>
+    <message>
+        <source>The wanted distance, signed along the face's outward normal; f(x) gives an expression</source>
+        <translation>Der gewünschte Abstand mit Vorzeichen entlang der äußeren Flächennormalen; f(x) nimmt einen Ausdruck</translation>
+    </message>
+    <message>
+        <source>What the colours stand for: how much of the limit the distance uses up, or the limit on one side</source>
+        <translation>Wofür die Farben stehen: wie viel der Grenze der Abstand verbraucht, oder die Grenze auf einer Seite</translation>
+    </message>
+</context>
+<context>
+    <name>DeviationMapPanel</name>
+    <message>
+        <source>Choose an offset first.</source>
+        <translation>Wählen Sie zuerst eine Versatzfläche.</translation>
+    </message>
+    <message>
+        <source>Deviation Map</source>
+        <translation>Abweichungskarte</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Höchste</translation>
+    </message>
+    <message>
+        <source>Least number of triangles; more take longer</source>
+        <translation>Mindestzahl der Dreiecke; mehr dauern länger</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Niedrigste</translation>
+    </message>
+    <message>
+        <source>Measure the offset anew</source>
+        <translation>Die Versatzfläche neu messen</translation>
+    </message>
+    <message>
+        <source>Most negative deviation seen</source>
+        <translation>Größte gesehene Abweichung nach unten</translation>
+    </message>
+    <message>
+        <source>Most positive deviation seen</source>
+        <translation>Größte gesehene Abweichung nach oben</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatzfläche</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>The offset that is measured</source>
+        <translation>Die Versatzfläche, die gemessen wird</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+</context>
+<context>
     <name>ExtendFacePanel</name>
     <message>
         <source>Extend Face</source>
@@ -237,6 +343,26 @@
         <source>Computing {title}...</source>
         <translation>{title} wird berechnet...</translation>
     </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Limit inwards</source>
+        <translation>Grenze nach innen</translation>
+    </message>
+    <message>
+        <source>Limit outwards</source>
+        <translation>Grenze nach außen</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>folds</source>
+        <translation>faltet sich</translation>
+    </message>
 </context>
 <context>
     <name>LaminateOffset_CoreSample</name>
@@ -250,6 +376,17 @@
     </message>
 </context>
 <context>
+    <name>LaminateOffset_CurvatureMap</name>
+    <message>
+        <source>Curvature Map</source>
+        <translation>Krümmungskarte</translation>
+    </message>
+    <message>
+        <source>Shows in colours how near a distance is to the curvature limit of the faces</source>
+        <translation>Zeigt in Farben, wie nahe ein Abstand der Krümmungsgrenze der Flächen kommt</translation>
+    </message>
+</context>
+<context>
     <name>LaminateOffset_DeviationMap</name>
     <message>
         <source>Deviation Map</source>
@@ -258,6 +395,17 @@
     <message>
         <source>Shows in colours how far the selected offset is from the exact one</source>
         <translation>Zeigt in Farben, wie weit der gewählte Versatz vom genauen entfernt ist</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExplodedView</name>
+    <message>
+        <source>Draws the plies of the selected stack apart from each other; again: together</source>
+        <translation>Zeichnet die Lagen des gewählten Stapels auseinander; noch einmal: zusammen</translation>
+    </message>
+    <message>
+        <source>Exploded View</source>
+        <translation>Explosionsansicht</translation>
     </message>
 </context>
 <context>
@@ -357,6 +505,17 @@
     <message>
         <source>Lays the plies of a layup on the selected face</source>
         <translation>Legt die Lagen eines Lagenaufbaus auf die gewählte Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_StackSection</name>
+    <message>
+        <source>Shows the cut of every ply of a stack by a plane, as thick as you like</source>
+        <translation>Zeigt den Schnitt jeder Lage eines Stapels mit einer Ebene, so dick wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Stack Section</source>
+        <translation>Stapelschnitt</translation>
     </message>
 </context>
 <context>
@@ -868,6 +1027,69 @@
     <message>
         <source>-45 degrees</source>
         <translation>-45 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>StackSectionPanel</name>
+    <message>
+        <source>A ply stack of this document</source>
+        <translation>Ein Lagenstapel dieses Dokuments</translation>
+    </message>
+    <message>
+        <source>Cut the stack anew</source>
+        <translation>Den Stapel neu schneiden</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the origin along its normal; f(x) gives an expression</source>
+        <translation>Abstand der Ebene vom Ursprung entlang ihrer Normalen; f(x) nimmt einen Ausdruck</translation>
+    </message>
+    <message>
+        <source>How much thicker the plies are drawn than they are; the shape stays as it is</source>
+        <translation>Wie viel dicker die Lagen gezeichnet werden, als sie sind; die Form bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Names of the plies</source>
+        <translation>Namen der Lagen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage der Ebene</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Stack</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>Stack Section</source>
+        <translation>Stapelschnitt</translation>
+    </message>
+    <message>
+        <source>The axis that the plane stands across; set the property Normal for any other</source>
+        <translation>Die Achse, zu der die Ebene quer steht; für jede andere die Eigenschaft Normal setzen</translation>
+    </message>
+    <message>
+        <source>There is no ply stack in this document; make one first.</source>
+        <translation>In diesem Dokument gibt es keinen Lagenstapel; legen Sie zuerst einen an.</translation>
+    </message>
+    <message>
+        <source>Thicker by</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Write name and angle beside every ply</source>
+        <translation>Name und Winkel neben jede Lage schreiben</translation>
+    </message>
+    <message>
+        <source>across {axis}</source>
+        <translation>quer zu {axis}</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,112 @@
     </message>
 </context>
 <context>
+    <name>CurvatureMapPanel</name>
+    <message>
+        <source>Curvature Map</source>
+        <translation>Carte de courbure</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Press, then click a face in the 3-D view; Ctrl+click adds further faces</source>
+        <translation>Appuyez, puis cliquez une face dans la vue 3D ; Ctrl+clic en ajoute d'autres</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Sample the faces that are listed</source>
+        <translation>Échantillonner les faces de la liste</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Montre</translation>
+    </message>
+    <message>
+        <source>Take the selected faces out of the list</source>
+        <translation>Retire les faces sélectionnées de la liste</translation>
+    </message>
+    <message>
+        <source>The faces; select some and press Remove to take them out</source>
+        <translation>Les faces ; Retirer enlève celles qui sont sélectionnées</translation>
+    </message>
+    <message>
+        <source>The wanted distance, signed along the face's outward normal; f(x) gives an expression</source>
+        <translation>La distance voulue, signée le long de la normale extérieure de la face ; f(x) prend une expression</translation>
+    </message>
+    <message>
+        <source>What the colours stand for: how much of the limit the distance uses up, or the limit on one side</source>
+        <translation>Ce que disent les couleurs : la part de la limite que prend la distance, ou la limite d'un côté</translation>
+    </message>
+</context>
+<context>
+    <name>DeviationMapPanel</name>
+    <message>
+        <source>Choose an offset first.</source>
+        <translation>Choisissez d'abord un décalage.</translation>
+    </message>
+    <message>
+        <source>Deviation Map</source>
+        <translation>Carte des écarts</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Plus grand</translation>
+    </message>
+    <message>
+        <source>Least number of triangles; more take longer</source>
+        <translation>Nombre minimal de triangles ; davantage prend plus de temps</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Plus petit</translation>
+    </message>
+    <message>
+        <source>Measure the offset anew</source>
+        <translation>Mesurer le décalage à nouveau</translation>
+    </message>
+    <message>
+        <source>Most negative deviation seen</source>
+        <translation>Écart le plus négatif observé</translation>
+    </message>
+    <message>
+        <source>Most positive deviation seen</source>
+        <translation>Écart le plus positif observé</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>The offset that is measured</source>
+        <translation>Le décalage qui est mesuré</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+</context>
+<context>
     <name>ExtendFacePanel</name>
     <message>
         <source>Extend Face</source>
@@ -237,6 +343,26 @@
         <source>Computing {title}...</source>
         <translation>Calcul de {title}...</translation>
     </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Limit inwards</source>
+        <translation>Limite vers l'intérieur</translation>
+    </message>
+    <message>
+        <source>Limit outwards</source>
+        <translation>Limite vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>toutes</translation>
+    </message>
+    <message>
+        <source>folds</source>
+        <translation>se replie</translation>
+    </message>
 </context>
 <context>
     <name>LaminateOffset_CoreSample</name>
@@ -250,6 +376,17 @@
     </message>
 </context>
 <context>
+    <name>LaminateOffset_CurvatureMap</name>
+    <message>
+        <source>Curvature Map</source>
+        <translation>Carte de courbure</translation>
+    </message>
+    <message>
+        <source>Shows in colours how near a distance is to the curvature limit of the faces</source>
+        <translation>Montre en couleurs à quel point une distance approche la limite de courbure des faces</translation>
+    </message>
+</context>
+<context>
     <name>LaminateOffset_DeviationMap</name>
     <message>
         <source>Deviation Map</source>
@@ -258,6 +395,17 @@
     <message>
         <source>Shows in colours how far the selected offset is from the exact one</source>
         <translation>Montre en couleurs de combien le décalage sélectionné s&apos;écarte du décalage exact</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_ExplodedView</name>
+    <message>
+        <source>Draws the plies of the selected stack apart from each other; again: together</source>
+        <translation>Dessine les plis de l'empilement choisi séparés ; encore une fois : réunis</translation>
+    </message>
+    <message>
+        <source>Exploded View</source>
+        <translation>Vue éclatée</translation>
     </message>
 </context>
 <context>
@@ -357,6 +505,17 @@
     <message>
         <source>Lays the plies of a layup on the selected face</source>
         <translation>Pose les plis d&apos;un drapage sur la face sélectionnée</translation>
+    </message>
+</context>
+<context>
+    <name>LaminateOffset_StackSection</name>
+    <message>
+        <source>Shows the cut of every ply of a stack by a plane, as thick as you like</source>
+        <translation>Montre la coupe de chaque pli d'un empilement par un plan, aussi épaisse que voulu</translation>
+    </message>
+    <message>
+        <source>Stack Section</source>
+        <translation>Coupe de l'empilement</translation>
     </message>
 </context>
 <context>
@@ -868,6 +1027,69 @@
     <message>
         <source>-45 degrees</source>
         <translation>-45 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>StackSectionPanel</name>
+    <message>
+        <source>A ply stack of this document</source>
+        <translation>Un empilement de plis de ce document</translation>
+    </message>
+    <message>
+        <source>Cut the stack anew</source>
+        <translation>Couper l'empilement à nouveau</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the origin along its normal; f(x) gives an expression</source>
+        <translation>Distance du plan à l'origine le long de sa normale ; f(x) prend une expression</translation>
+    </message>
+    <message>
+        <source>How much thicker the plies are drawn than they are; the shape stays as it is</source>
+        <translation>Combien de fois plus épais les plis sont dessinés ; la forme reste telle quelle</translation>
+    </message>
+    <message>
+        <source>Names of the plies</source>
+        <translation>Noms des plis</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Stack</source>
+        <translation>Empilement</translation>
+    </message>
+    <message>
+        <source>Stack Section</source>
+        <translation>Coupe de l'empilement</translation>
+    </message>
+    <message>
+        <source>The axis that the plane stands across; set the property Normal for any other</source>
+        <translation>L'axe que le plan traverse ; pour tout autre, changez la propriété Normal</translation>
+    </message>
+    <message>
+        <source>There is no ply stack in this document; make one first.</source>
+        <translation>Il n'y a pas d'empilement dans ce document ; créez-en un d'abord.</translation>
+    </message>
+    <message>
+        <source>Thicker by</source>
+        <translation>Exagération</translation>
+    </message>
+    <message>
+        <source>Write name and angle beside every ply</source>
+        <translation>Écrire le nom et l'angle à côté de chaque pli</translation>
+    </message>
+    <message>
+        <source>across {axis}</source>
+        <translation>en travers de {axis}</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "evaluate_face_binding.h"
 
+#include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
 
@@ -29,10 +30,35 @@ std::vector<gp_Pnt2d> read_parameters(const Parameters &uv)
     return result;
 }
 
+//! Thousands of places take a while: other threads of Python go on, and have no hold on the copy of the face.
+template <typename Evaluation>
+auto without_gil(const Evaluation &evaluation, const TopoDS_Shape &face, const std::vector<gp_Pnt2d> &uv)
+{
+    const py::gil_scoped_release release;
+    return evaluation(face, uv);
+}
+
+py::array_t<double> face_curvatures_for_python(const py::object &shape, const Parameters &uv)
+{
+    const Result<std::vector<FaceCurvatures>> found =
+        without_gil(face_curvatures, detached(from_part(shape, selected_exchange())), read_parameters(uv));
+    if (!found)
+        raise(found.failure(), OffsetOptions{});
+    const auto count = static_cast<py::ssize_t>(found.value().size());
+    py::array_t<double> curvatures({count, py::ssize_t{2}});
+    auto to_curvatures = curvatures.mutable_unchecked<2>();
+    for (py::ssize_t i = 0; i < count; ++i)
+    {
+        to_curvatures(i, 0) = found.value()[static_cast<std::size_t>(i)].lowest;
+        to_curvatures(i, 1) = found.value()[static_cast<std::size_t>(i)].highest;
+    }
+    return curvatures;
+}
+
 py::tuple evaluate_face_for_python(const py::object &shape, const Parameters &uv)
 {
     const Result<std::vector<FacePoint>> found =
-        evaluate_face(from_part(shape, selected_exchange()), read_parameters(uv));
+        without_gil(evaluate_face, detached(from_part(shape, selected_exchange())), read_parameters(uv));
     if (!found)
         raise(found.failure(), OffsetOptions{});
     const auto count = static_cast<py::ssize_t>(found.value().size());
@@ -63,6 +89,12 @@ void bind_evaluate_face(py::module_ &module)
         "evaluate_face", &evaluate_face_for_python, py::arg("shape"), py::arg("uv"),
         "Points (n, 3) in mm and outward unit normals (n, 3) of one Part.Face at the rows of an (n, 2) array of "
         "parameters, and whether they lie inside its loops (n,); or raises OffsetError, ValueError or TypeError.");
+    module.def(
+        "face_curvatures", &face_curvatures_for_python, py::arg("shape"), py::arg("uv"),
+        "The lowest and the highest principal curvature (n, 2) in 1/mm of one Part.Face at the rows of an (n, 2) array "
+        "of "
+        "parameters, positive where the face bends towards its outward normal; NaN where there are none; or raises "
+        "OffsetError, ValueError or TypeError.");
 }
 
 } // namespace laminate_offset::python

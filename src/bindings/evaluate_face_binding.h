@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //! \file
-//! Points and normals of a face to Python.
+//! Points, normals and curvatures of a face to Python.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -133,6 +133,18 @@ def screenshot(name: str) -> None:
     assert count_colours(image.toImage()) > 20, f"{name}: the screen is empty"
 
 
+def view_image() -> Any:
+    """What the 3-D view shows."""
+    pump(250)
+    canvas, _ = centre_of_view()
+    place = canvas.mapToGlobal(QtCore.QPoint(0, 0))
+    return (
+        QtGui.QApplication.primaryScreen()
+        .grabWindow(0, place.x(), place.y(), canvas.width(), canvas.height())
+        .toImage()
+    )
+
+
 def count_colours(image: Any, step: int = 5) -> int:
     """Number of different colours on a coarse grid of pixels."""
     return len({image.pixel(x, y) for x in range(0, image.width(), step) for y in range(0, image.height(), step)})

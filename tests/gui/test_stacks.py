@@ -18,6 +18,10 @@ def test_limits_extension_and_deviation():
     run_scenario("other_commands", refusals=["tick at least one"])
 
 
+def test_maps_folds_exploded_views_and_sections():
+    run_scenario("seeing", refusals=["Face1", "does not cut"])
+
+
 def test_event_loop_goes_on_during_previews():
     if not DATA.is_dir():
         pytest.skip("../shared/data is not there")

@@ -80,13 +80,16 @@ _CREATE_WITHOUT_GUI = """
 import sys
 import FreeCAD as App
 from laminate_offset.gui.commands.core_sample import CoreSampleCommand
+from laminate_offset.gui.commands.curvature_map import CurvatureMapCommand
 from laminate_offset.gui.commands.deviation_map import DeviationMapCommand
+from laminate_offset.gui.commands.exploded_view import ExplodedViewCommand
 from laminate_offset.gui.commands.export_stack import ExportStackCommand
 from laminate_offset.gui.commands.extend_face import ExtendFaceCommand
 from laminate_offset.gui.commands.layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from laminate_offset.gui.commands.offset_face import OffsetFaceCommand
 from laminate_offset.gui.commands.offset_limits import OffsetLimitsCommand
 from laminate_offset.gui.commands.ply_stack import PlyStackCommand
+from laminate_offset.gui.commands.stack_section import StackSectionCommand
 doc = App.newDocument("T")
 ball = doc.addObject("Part::Sphere", "Ball")
 can = doc.addObject("Part::Cylinder", "Can")
@@ -102,6 +105,10 @@ read = ImportLayupCommand.create(doc, sys.argv[1])
 ExportLayupCommand.create(read, sys.argv[2])
 stack = PlyStackCommand.create(links, read, doc)
 sample = CoreSampleCommand.create(doc, stack, (10, 0, 0))
+chart = CurvatureMapCommand.create(links, doc)
+doc.recompute()
+section = StackSectionCommand.create(doc, stack)
+ExplodedViewCommand.create(stack)
 doc.recompute()
 assert offset.Status == "ok" and len(offset.Shape.Faces) == 3, offset.Message
 assert offset.Shape.Faces[0].Surface.Radius == 6, offset.Message
@@ -111,6 +118,8 @@ assert extended.Status == "ok" and abs(extended.Shape.Area - 120**2) < 1e-6, ext
 assert layup.PlyCount == 1 and read.PlyCount == stack.PlyCount == sample.PlyCount == 6, sample.Message
 map_ = DeviationMapCommand.create(offset)
 assert map_.Status == "ok" and max(map(abs, map_.Deviations)) < 1e-6, map_.Message
+assert chart.Status == "ok" and abs(chart.Inwards.Value + 5) < 1e-9, chart.Message
+assert section.Status == "ok" and section.PlyCount == 6, section.Message
 ExportStackCommand.create(stack, sys.argv[3])
 assert "FreeCADGui" not in sys.modules and "PySide" not in sys.modules
 print("DONE")

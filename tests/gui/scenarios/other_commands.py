@@ -26,10 +26,10 @@ from session import (
 
 BUTTON = QtGui.QDialogButtonBox
 NAMES = (
-    "OffsetFace ExtendFace OffsetLimits DeviationMap Layup ImportLayup ExportLayup PlyStack CoreSample ExportStack "
-    "ExportPlyBook"
+    "OffsetFace ExtendFace OffsetLimits CurvatureMap DeviationMap Layup ImportLayup ExportLayup PlyStack CoreSample "
+    "StackSection ExplodedView ExportStack ExportPlyBook"
 ).split()
-ON_FACES = {"OffsetFace", "ExtendFace", "OffsetLimits", "PlyStack"}
+ON_FACES = {"OffsetFace", "ExtendFace", "OffsetLimits", "CurvatureMap", "PlyStack"}
 ALWAYS = {"Layup", "ImportLayup"}
 
 
@@ -125,6 +125,14 @@ def deviation(doc, base) -> None:
     base.ViewObject.Visibility = False
     look_at_all()
     screenshot("deviation")
+    edit(chart)
+    assert widget("highest", QtGui.QLabel).text() == f"{chart.Highest.Value:.4g} mm"
+    type_into("triangles", "9000")
+    click("preview")
+    assert len(chart.Corners) >= 27000 and "from" in result_text(), result_text()
+    screenshot("deviation_panel")
+    press(BUTTON.Cancel)
+    assert chart.Triangles == 4000
     offset.Tolerance = 0.05
     doc.recompute()
     assert max(map(abs, chart.Deviations)) > extreme

@@ -50,6 +50,7 @@ def run() -> None:
     layup()
     stack(doc, place)
     sample(doc, place)
+    look_closer(doc)
     export(doc)
 
 
@@ -139,6 +140,26 @@ def sample(doc, place) -> None:
     assert widget("plies", QtGui.QTreeWidget).topLevelItemCount() == 8, result_text()
     fits("7_core_sample")
     finish(BUTTON.Ok)
+
+
+def look_closer(doc) -> None:
+    """The cut of the plies by a plane, and the plies apart from each other."""
+    Gui.Selection.clearSelection()
+    run_command("LaminateOffset_StackSection")
+    assert doc.StackSection.PlyCount == 8 and doc.StackSection.ViewObject.Exaggeration > 10, result_text()
+    for ply in doc.PlyStack.ViewObject.Proxy.claimChildren():
+        ply.ViewObject.Visibility = False
+    Gui.ActiveDocument.ActiveView.viewRight()
+    Gui.SendMsgToActiveView("ViewFit")
+    fits("8_section")
+    finish(BUTTON.Ok)
+    doc.StackSection.ViewObject.Visibility = False
+    Gui.Selection.addSelection(doc.Name, doc.PlyStack.Name)
+    pump(200)
+    run_command("LaminateOffset_ExplodedView")
+    look_at_all()
+    assert doc.PlyStack.ViewObject.DisplayMode == "Exploded"
+    screenshot("9_exploded")
 
 
 def export(doc) -> None:

@@ -3,6 +3,7 @@
 
 import json
 import math
+from functools import partial
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import laminate_offset as lo
@@ -11,6 +12,7 @@ from .. import messages
 from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
 from .base_face import BaseFaceError, linked_faces, links_of, place_result, rooted_links
+from .fold_region import with_fold_region
 from .outcome import Feature, accept, add_feature
 from .properties import HIDDEN, READ_ONLY, Property
 
@@ -151,19 +153,23 @@ class OffsetRequest(NamedTuple):
         results = []
         for index, (name, face) in enumerate(self.faces):
             try:
-                result = lo.offset_face(
-                    face,
-                    self.distance,
-                    tolerance=self.tolerance,
-                    method=self.method,
-                    max_degree=self.max_degree,
-                    progress=progress.part_of(report, index, len(self.faces)),
-                )
+                step = progress.part_of(report, index, len(self.faces))
+                result = with_fold_region(face, lambda: [self.distance], partial(self._offset, face, step))
             except lo.OffsetError as error:
                 error.face = name
                 raise
             results.append(result)
         return results
+
+    def _offset(self, face: Any, report: Optional[progress.Report]) -> Any:
+        return lo.offset_face(
+            face,
+            self.distance,
+            tolerance=self.tolerance,
+            method=self.method,
+            max_degree=self.max_degree,
+            progress=report,
+        )
 
     def same_as(self, other: "OffsetRequest") -> bool:
         """Whether the other one asks for the same of the same faces."""

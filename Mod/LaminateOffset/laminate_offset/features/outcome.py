@@ -29,6 +29,8 @@ PROPERTIES = (
         READ_ONLY,
     ),
     Property("App::PropertyVectorList", "RefusedAt", "Report", "The place of the refusal", [], READ_ONLY | HIDDEN),
+    Property("App::PropertyVectorList", "FoldPoints", "Report", "Where the offset folds", [], READ_ONLY | HIDDEN),
+    Property("App::PropertyIntegerList", "FoldCorners", "Report", "Three points a triangle", [], READ_ONLY | HIDDEN),
     Property("App::PropertyString", "ReportJson", "Report", "The report as JSON", "", READ_ONLY | HIDDEN),
     Property("App::PropertyInteger", "SchemaVersion", "Report", "Version of the properties", 0, READ_ONLY | HIDDEN),
 )
@@ -69,6 +71,7 @@ class Feature(StatelessProxy):
             raise RuntimeError(obj.Message) from error
         obj.OutOfDate = False
         obj.RefusedAt = []
+        _mark_fold(obj, None)
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Adds what an older version, or a document saved without the GUI, does not have."""
@@ -81,7 +84,10 @@ class Feature(StatelessProxy):
         elif version < self.SCHEMA:
             self.upgrade(obj, version)
             obj.SchemaVersion = self.SCHEMA
-        self.attach_view_provider(obj)
+        if App.GuiUp:
+            from ..gui.view_providers import restored
+
+            restored(obj.ViewObject, self.VIEW_PROVIDER)
 
     @classmethod
     def attach_view_provider(cls, obj: Any) -> None:
@@ -117,8 +123,17 @@ def _refuse(obj: Any, error: Exception) -> None:
     obj.Message = messages.refusal(error, getattr(error, "face", ""))
     obj.OutOfDate = has_result(obj)
     where = getattr(error, "where", None)
+    _mark_fold(obj, getattr(error, "fold_region", None))
     obj.RefusedAt = [App.Vector(where["x"], where["y"], where["z"])] if where else []
     obj.ReportJson = json.dumps([_refusal_report(obj, error)])
+
+
+def _mark_fold(obj: Any, region: Any) -> None:
+    """Writes down where an offset folds, a features.fold_region.FoldRegion; None: nowhere, or not known."""
+    points = [] if region is None else [App.Vector(*point) for point in region.points]
+    if points or obj.FoldPoints:
+        obj.FoldPoints = points
+        obj.FoldCorners = [] if region is None else region.triangles.ravel().tolist()
 
 
 def has_result(obj: Any) -> bool:

@@ -14,6 +14,7 @@ from ..stack import SURFACES
 from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
 from .base_face import BaseFaceError, container_placement, linked_faces, place_result, rooted
+from .fold_region import with_fold_region
 from .layup import layup_of
 from .outcome import Feature, accept, add_feature
 from .properties import READ_ONLY, Property
@@ -217,10 +218,21 @@ def _stack(obj: Any) -> Any:
         "boundary_gap": obj.BoundaryGap.Value or None,
     }
     try:
-        return progress.run(obj.Label, lambda report: lo.stack_plies(face, layup, progress=report, **options))
+        return progress.run(obj.Label, lambda report: _laid(face, layup, report, options))
     except lo.OffsetError as error:
         error.face = name
         raise
+
+
+def _laid(face: Any, layup: Any, report: Optional[progress.Report], options: Dict[str, Any]) -> Any:
+    """In any thread: the stack. A refusal because of folds tells where its outermost surfaces fold."""
+    return with_fold_region(face, lambda: _ends(layup), lambda: lo.stack_plies(face, layup, progress=report, **options))
+
+
+def _ends(layup: Any) -> List[float]:
+    """The distances of the stack's two outermost surfaces."""
+    plies = layup.physical_plies()
+    return [plies[0].bottom, plies[-1].top]
 
 
 def _match_plies(stack: Any) -> None:

@@ -49,7 +49,7 @@ def _unfitted() -> Any:
 
 def _panel() -> Any:
     """The dark ground that makes the words legible on any background."""
-    return _strip([_BACK, _BACK], _LEFT - 0.03, _WIDTH + 0.27, _BOTTOM - 0.08, _TOP + 0.16, -0.1)
+    return _strip([_BACK, _BACK], _LEFT - 0.03, _WIDTH + 0.27, _BOTTOM - 0.08, _TOP + 0.22, -0.1)
 
 
 def _bar(colours: Sequence[Colour]) -> Any:
@@ -83,7 +83,7 @@ def _words(title: str, ticks: Sequence[str]) -> Any:
     node.addChild(paint)
     node.addChild(font)
     step = (_TOP - _BOTTOM) / (len(ticks) - 1)
-    places = [(_LEFT, _TOP + 0.07, title)]
+    places = [(_LEFT, _TOP + 0.12, title)]
     places += [(_LEFT + _WIDTH + 0.02, _TOP - step * index - 0.012, tick) for index, tick in enumerate(ticks)]
     for x, y, word in places:
         part, place, text = coin.SoSeparator(), coin.SoTranslation(), coin.SoText2()

@@ -10,9 +10,10 @@ from typing import Any, List, Optional
 import FreeCAD as App
 
 from ..features.face_grid import FaceGrid
+from ..features.fold_region import FoldRegion
 from ..features.offset_limits import Mark
 from ..view_settings import OFFSET_LOOK
-from .refusal_mark import ORANGE, RED, marks
+from .refusal_mark import ORANGE, RED, fold, marks
 
 _LINE = (0.10, 0.22, 0.40)
 
@@ -43,12 +44,18 @@ class Preview:
         self._node.addChild(marks([(limit.point, f"{limit.distance:.4g} mm") for limit in limits], ORANGE))
         self._scene.addChild(self._node)
 
-    def mark(self, where: Optional[Any], word: str) -> None:
-        """Marks the place of a refusal, {"x", "y", "z"} in mm."""
+    def mark(self, where: Optional[Any], word: str, region: Optional[FoldRegion] = None) -> None:
+        """Marks the place of a refusal, {"x", "y", "z"} in mm, and the region in which the offset folds."""
         self.remove()
-        if self._scene is not None and where:
-            self._node = marks([(App.Vector(where["x"], where["y"], where["z"]), word)], RED)
-            self._scene.addChild(self._node)
+        if self._scene is None or not where:
+            return
+        from pivy import coin
+
+        self._node = coin.SoSeparator()
+        if region is not None and len(region.points):
+            self._node.addChild(fold(region.points.tolist(), region.triangles.ravel().tolist()))
+        self._node.addChild(marks([(App.Vector(where["x"], where["y"], where["z"]), word)], RED))
+        self._scene.addChild(self._node)
 
     def remove(self) -> None:
         """Takes the picture away. Harmless when there is none."""

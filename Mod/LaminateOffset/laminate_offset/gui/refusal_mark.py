@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks in the 3-D view: a point with a word beside it, drawn over everything and never picked."""
+"""Marks in the 3-D view: a point with a word beside it, drawn over everything, and the region in which an offset folds."""
 
 from typing import Any, List, Sequence, Tuple
 
 from ..features.base_face import container_placement
+from .triangles import triangles
 
 RED = (1.0, 0.33, 0.28)
 ORANGE = (1.0, 0.66, 0.20)
 _SIZE = 15.0
+#: So that a fold is red in the shade, too.
+_GLOW = 0.4
 
 
 def marks(places: Sequence[Tuple[Any, str]], colour: Tuple[float, float, float]) -> Any:
@@ -42,6 +45,20 @@ def _mark(point: Any, text: str) -> Any:
     return node
 
 
+def fold(points: Sequence[Any], corners: Sequence[int]) -> Any:
+    """A node with the region of a face in which an offset folds, drawn in front of the face and never picked.
+
+    points: [mm]. corners: three of them for every triangle.
+    """
+    from pivy import coin
+
+    node, paint = triangles(points, corners), coin.SoMaterial()
+    paint.diffuseColor = RED
+    paint.emissiveColor = tuple(_GLOW * part for part in RED)
+    node.insertChild(paint, 0)
+    return node
+
+
 class RefusalMark:
     """The mark of one object: where it was refused, and that what is shown is out of date."""
 
@@ -54,7 +71,7 @@ class RefusalMark:
         self.remove()
         places = [] if obj is None else _places(obj)
         if places:
-            self._node = marks(places, RED)
+            self._node = _marks_and_fold(obj, places)
             # Before the object's own placement: the places are in the frame of its container.
             self._root.insertChild(self._node, 0)
 
@@ -63,6 +80,18 @@ class RefusalMark:
         if self._node is not None:
             self._root.removeChild(self._node)
             self._node = None
+
+
+def _marks_and_fold(obj: Any, places: List[Tuple[Any, str]]) -> Any:
+    from pivy import coin
+
+    node = coin.SoSeparator()
+    points = getattr(obj, "FoldPoints", [])
+    if points:
+        to_container = container_placement(obj).inverse()
+        node.addChild(fold([to_container.multVec(point) for point in points], obj.FoldCorners))
+    node.addChild(marks(places, RED))
+    return node
 
 
 def _places(obj: Any) -> List[Tuple[Any, str]]:

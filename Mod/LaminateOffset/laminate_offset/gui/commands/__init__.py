@@ -6,13 +6,16 @@ from typing import List
 import FreeCAD as App
 
 from .core_sample import CoreSampleCommand
+from .curvature_map import CurvatureMapCommand
 from .deviation_map import DeviationMapCommand
 from .export_stack import ExportPlyBookCommand, ExportStackCommand
+from .exploded_view import ExplodedViewCommand
 from .extend_face import ExtendFaceCommand
 from .layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from .offset_face import OffsetFaceCommand
 from .offset_limits import OffsetLimitsCommand
 from .ply_stack import PlyStackCommand
+from .stack_section import StackSectionCommand
 
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 
@@ -24,6 +27,7 @@ _COMMANDS = (
     OffsetFaceCommand,
     ExtendFaceCommand,
     OffsetLimitsCommand,
+    CurvatureMapCommand,
     DeviationMapCommand,
     None,
     LayupCommand,
@@ -32,6 +36,8 @@ _COMMANDS = (
     None,
     PlyStackCommand,
     CoreSampleCommand,
+    StackSectionCommand,
+    ExplodedViewCommand,
     ExportStackCommand,
     ExportPlyBookCommand,
 )

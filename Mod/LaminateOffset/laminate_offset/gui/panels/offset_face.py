@@ -156,7 +156,8 @@ class OffsetFacePanel(FacePanel):
         except Exception as error:  # a refusal, or a defect that the user must see as well
             self.tell(messages.refusal(error, getattr(error, "face", "")), refused=True)
             self._show_range(feasible_range(getattr(error, "feasible_range", None)))
-            self._preview.mark(getattr(error, "where", None), getattr(error, "status", ""))
+            region = getattr(error, "fold_region", None)
+            self._preview.mark(getattr(error, "where", None), getattr(error, "status", ""), region)
             return
         prepare(self._feature, request, results)
         elapsed = sum(result.report.elapsed_ms.total for result in results)

@@ -14,3 +14,9 @@ def attach_missing(vobj: Any, kind: Any) -> None:
     if not isinstance(vobj.Proxy, provider):
         provider(vobj)
         vobj.Visibility = True  # FreeCAD hides what comes without view settings
+
+
+def restored(vobj: Any, kind: Any) -> None:
+    """Makes the view provider that is missing; others draw what needs the whole document."""
+    attach_missing(vobj, kind)
+    vobj.Proxy.restored(vobj)

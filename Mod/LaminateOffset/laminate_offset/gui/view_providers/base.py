@@ -35,6 +35,9 @@ class ResultViewProvider(StatelessProxy):
         self.Object = vobj.Object
         self._mark = RefusalMark(vobj.RootNode)
 
+    def restored(self, vobj: Any) -> None:
+        """Called when a document has been opened, with all its objects."""
+
     def updateData(self, obj: Any, prop: str) -> None:
         """Called by FreeCAD when a property of the object has changed."""
         if prop in ("Status", "OutOfDate", "RefusedAt"):
