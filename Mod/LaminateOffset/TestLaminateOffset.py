@@ -84,6 +84,12 @@ class TestLaminateOffset(unittest.TestCase):
         section = make_stack_section(make_ply_stack(self.ball, "Face1", layup), (0, 0, 1), 0)
         self.assertEqual([section.Status, section.PlyCount], ["ok", 2])
 
+    def test_rosette(self):
+        from laminate_offset.features.rosette import make_rosette
+
+        axis = make_rosette(self.ball, "Face1", (0, 0, 20), (1, 0, 5)).FirstAxis
+        self.assertAlmostEqual(axis.distanceToPoint(App.Vector(1, 0, 0)), 0)
+
     def test_curvature_map(self):
         from laminate_offset.features.curvature_map import make_curvature_map
 

@@ -508,6 +508,17 @@
     </message>
 </context>
 <context>
+    <name>LaminateOffset_Rosette</name>
+    <message>
+        <source>Makes the axes that ply angles refer to, on a face, an edge, a point or a coordinate system</source>
+        <translation>Erzeugt die Achsen, auf die sich Lagenwinkel beziehen, auf einer Fläche, einer Kante, einem Punkt oder einem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+</context>
+<context>
     <name>LaminateOffset_StackSection</name>
     <message>
         <source>Shows the cut of every ply of a stack by a plane, as thick as you like</source>
@@ -945,6 +956,18 @@
         <source>Choose a layup first, or press New to make one.</source>
         <translation>Wählen Sie zuerst einen Lagenaufbau, oder legen Sie mit Neu einen an.</translation>
     </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
+        <source>The axes that angles count from, where a row of the layup names none</source>
+        <translation>Die Achsen, von denen Winkel zählen, wo eine Zeile des Lagenaufbaus keine nennt</translation>
+    </message>
+    <message>
+        <source>none: the x axis</source>
+        <translation>keine: die x-Achse</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesPage</name>
@@ -1027,6 +1050,57 @@
     <message>
         <source>-45 degrees</source>
         <translation>-45 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>RosettePanel</name>
+    <message>
+        <source>Click a face, an edge or a point in the 3-D view.</source>
+        <translation>Klicken Sie eine Fläche, eine Kante oder einen Punkt in der 3D-Ansicht an.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Of the first axis, projected onto the face; an edge or a coordinate system gives its own</source>
+        <translation>Der ersten Achse, auf die Fläche projiziert; eine Kante oder ein Koordinatensystem gibt die eigene vor</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Press, then click a face, an edge or a point in the 3-D view</source>
+        <translation>Drücken, dann eine Fläche, eine Kante oder einen Punkt in der 3D-Ansicht anklicken</translation>
+    </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turns the first axis about the normal; f(x) gives an expression</source>
+        <translation>Dreht die erste Achse um die Normale; f(x) nimmt einen Ausdruck</translation>
+    </message>
+    <message>
+        <source>What carries the rosette and moves it along</source>
+        <translation>Was die Rosette trägt und mitnimmt</translation>
+    </message>
+    <message>
+        <source>along {axis}</source>
+        <translation>entlang {axis}</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>

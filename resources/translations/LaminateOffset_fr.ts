@@ -508,6 +508,17 @@
     </message>
 </context>
 <context>
+    <name>LaminateOffset_Rosette</name>
+    <message>
+        <source>Makes the axes that ply angles refer to, on a face, an edge, a point or a coordinate system</source>
+        <translation>Crée les axes auxquels se rapportent les angles des plis, sur une face, une arête, un point ou un repère</translation>
+    </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+</context>
+<context>
     <name>LaminateOffset_StackSection</name>
     <message>
         <source>Shows the cut of every ply of a stack by a plane, as thick as you like</source>
@@ -945,6 +956,18 @@
         <source>Choose a layup first, or press New to make one.</source>
         <translation>Choisissez d&apos;abord un drapage, ou créez-en un avec Nouveau.</translation>
     </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
+        <source>The axes that angles count from, where a row of the layup names none</source>
+        <translation>Les axes d'où comptent les angles, là où une ligne du drapage n'en nomme pas</translation>
+    </message>
+    <message>
+        <source>none: the x axis</source>
+        <translation>aucune : l'axe x</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesPage</name>
@@ -1027,6 +1050,57 @@
     <message>
         <source>-45 degrees</source>
         <translation>-45 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>RosettePanel</name>
+    <message>
+        <source>Click a face, an edge or a point in the 3-D view.</source>
+        <translation>Cliquez une face, une arête ou un point dans la vue 3D.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Of the first axis, projected onto the face; an edge or a coordinate system gives its own</source>
+        <translation>Du premier axe, projetée sur la face ; une arête ou un repère donne la sienne</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Press, then click a face, an edge or a point in the 3-D view</source>
+        <translation>Appuyez, puis cliquez une face, une arête ou un point dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Turns the first axis about the normal; f(x) gives an expression</source>
+        <translation>Tourne le premier axe autour de la normale ; f(x) prend une expression</translation>
+    </message>
+    <message>
+        <source>What carries the rosette and moves it along</source>
+        <translation>Ce qui porte la rosette et l'entraîne</translation>
+    </message>
+    <message>
+        <source>along {axis}</source>
+        <translation>le long de {axis}</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>rien</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,10 @@ def test_maps_folds_exploded_views_and_sections():
     run_scenario("seeing", refusals=["Face1", "does not cut"])
 
 
+def test_rosette_is_picked_and_used():
+    run_scenario("rosette", refusals=["no normal to turn about"])
+
+
 def test_event_loop_goes_on_during_previews():
     if not DATA.is_dir():
         pytest.skip("../shared/data is not there")

@@ -89,6 +89,7 @@ from laminate_offset.gui.commands.layup import ExportLayupCommand, ImportLayupCo
 from laminate_offset.gui.commands.offset_face import OffsetFaceCommand
 from laminate_offset.gui.commands.offset_limits import OffsetLimitsCommand
 from laminate_offset.gui.commands.ply_stack import PlyStackCommand
+from laminate_offset.gui.commands.rosette import RosetteCommand
 from laminate_offset.gui.commands.stack_section import StackSectionCommand
 doc = App.newDocument("T")
 ball = doc.addObject("Part::Sphere", "Ball")
@@ -106,6 +107,7 @@ ExportLayupCommand.create(read, sys.argv[2])
 stack = PlyStackCommand.create(links, read, doc)
 sample = CoreSampleCommand.create(doc, stack, (10, 0, 0))
 chart = CurvatureMapCommand.create(links, doc)
+axes = RosetteCommand.create(doc, ball, "Face1")
 doc.recompute()
 section = StackSectionCommand.create(doc, stack)
 ExplodedViewCommand.create(stack)
@@ -119,6 +121,7 @@ assert layup.PlyCount == 1 and read.PlyCount == stack.PlyCount == sample.PlyCoun
 map_ = DeviationMapCommand.create(offset)
 assert map_.Status == "ok" and max(map(abs, map_.Deviations)) < 1e-6, map_.Message
 assert chart.Status == "ok" and abs(chart.Inwards.Value + 5) < 1e-9, chart.Message
+assert axes.Status == "ok" and abs(axes.FirstAxis.Length - 1) < 1e-12, axes.Message
 assert section.Status == "ok" and section.PlyCount == 6, section.Message
 ExportStackCommand.create(stack, sys.argv[3])
 assert "FreeCADGui" not in sys.modules and "PySide" not in sys.modules

@@ -118,7 +118,7 @@ def test_own_tests_run_in_freecad(tmp_path, install):
         "import sys, unittest, FreeCAD; assert 'TestLaminateOffset' in FreeCAD.__unit_test__; "
         "suite = unittest.defaultTestLoader.loadTestsFromName('TestLaminateOffset'); "
         "done = unittest.TextTestRunner(stream=sys.stdout).run(suite); "
-        "sys.exit(0 if done.wasSuccessful() and done.testsRun == 9 else 1)"
+        "sys.exit(0 if done.wasSuccessful() and done.testsRun == 10 else 1)"
     )
     done = run_freecadcmd("-c", code, home=tmp_path, install=install)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -26,10 +26,10 @@ from session import (
 
 BUTTON = QtGui.QDialogButtonBox
 NAMES = (
-    "OffsetFace ExtendFace OffsetLimits CurvatureMap DeviationMap Layup ImportLayup ExportLayup PlyStack CoreSample "
-    "StackSection ExplodedView ExportStack ExportPlyBook"
+    "OffsetFace ExtendFace OffsetLimits CurvatureMap DeviationMap Layup ImportLayup ExportLayup Rosette PlyStack "
+    "CoreSample StackSection ExplodedView ExportStack ExportPlyBook"
 ).split()
-ON_FACES = {"OffsetFace", "ExtendFace", "OffsetLimits", "CurvatureMap", "PlyStack"}
+ON_FACES = {"OffsetFace", "ExtendFace", "OffsetLimits", "CurvatureMap", "PlyStack", "Rosette"}
 ALWAYS = {"Layup", "ImportLayup"}
 
 
@@ -147,9 +147,9 @@ def activity(doc, base) -> None:
     select(base, "Face1")
     assert active() == ON_FACES | ALWAYS, active()
     select(base, "Edge1")
-    assert active() == ALWAYS, active()
+    assert active() == ALWAYS | {"Rosette"}, active()
     select(only(doc, "OffsetFace"), "")
-    assert active() == ON_FACES | ALWAYS | {"DeviationMap"}, active()
+    assert active() == ON_FACES - {"Rosette"} | ALWAYS | {"DeviationMap"}, active()
     run_command("LaminateOffset_Layup")
     assert active() == set()
     press(BUTTON.Ok)

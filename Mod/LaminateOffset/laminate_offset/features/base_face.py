@@ -50,14 +50,20 @@ def rooted(base: Any, sub: str) -> Tuple[Any, str]:
 
 def global_face(base: Any, sub: str) -> Any:
     """The Part.Face at (base, sub) in the document's global frame [mm]. Raises BaseFaceError."""
+    shape = global_shape(base, sub)
+    if shape.ShapeType != "Face":
+        raise BaseFaceError("not-a-face", f"{describe(base, sub)} is not a face; pick a face.")
+    return shape
+
+
+def global_shape(base: Any, sub: str) -> Any:
+    """The shape at (base, sub) in the document's global frame [mm]. Raises BaseFaceError where there is none."""
     try:
         shape = base.getSubObject(sub)
     except (Part.OCCError, ValueError, AttributeError, IndexError) as error:
         raise _missing(base, sub) from error
     if shape is None or shape.isNull():
         raise _missing(base, sub)
-    if shape.ShapeType != "Face":
-        raise BaseFaceError("not-a-face", f"{describe(base, sub)} is not a face; pick a face.")
     placement = container_placement(base)
     if not placement.isIdentity():
         shape.Placement = placement.multiply(shape.Placement)  # of this handle only; the geometry stays shared

@@ -6,10 +6,12 @@ import math
 from collections import OrderedDict
 from typing import Any, Dict, List, Optional, Tuple
 
+import FreeCAD as App
 import Part
 
 import laminate_offset as lo
 
+from ..rosette import fibre_directions
 from ..stack import SURFACES
 from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
@@ -18,6 +20,7 @@ from .fold_region import with_fold_region
 from .layup import layup_of
 from .outcome import Feature, accept, add_feature
 from .properties import READ_ONLY, Property
+from .rosette import RosetteFeature, rosette_of
 
 OUTPUTS = ["One compound", "Named plies"]
 COLOURS = ["by angle", "by material"]
@@ -33,6 +36,13 @@ class PlyStackFeature(Feature):
         Property(
             "App::PropertyLinkList", "Boundaries", "Stack", "Curves that bound plies; the layup calls them by label"
         ),
+        Property(
+            "App::PropertyLink",
+            "Rosette",
+            "Stack",
+            "The axes that angles refer to, where a row of the layup names none",
+        ),
+        Property("App::PropertyLinkList", "Rosettes", "Stack", "Rosettes; the layup's rows call them by label"),
         Property("App::PropertyFloat", "DropOff", "Stack", "Length of a ramp over its height, where plies end", 20.0),
         Property(
             "App::PropertyLength",
@@ -65,6 +75,7 @@ class PlyStackFeature(Feature):
 
     def compute(self, obj: Any) -> None:
         """Lays the plies, from one fit."""
+        check_rosettes(obj)
         stack = _stack(obj)
         place_result(obj, [stack.to_shape(solids=obj.Solids)])
         accept(obj, stack.summary(), stack.ply_reports())
@@ -91,6 +102,14 @@ class PlyFeature(Feature):
         Property("App::PropertyString", "PlyName", "Ply", "Its name in the layup", "", READ_ONLY),
         Property("App::PropertyString", "Material", "Ply", "Its material", "", READ_ONLY),
         Property("App::PropertyAngle", "FibreAngle", "Ply", "Of the fibres, from the rosette's axis", 0.0, READ_ONLY),
+        Property(
+            "App::PropertyVector",
+            "FibreDirection",
+            "Ply",
+            "Of the fibres where the rosette is; 0: none",
+            None,
+            READ_ONLY,
+        ),
         Property("App::PropertyLength", "Thickness", "Ply", "Of the cured ply", 0.0, READ_ONLY),
         Property("App::PropertyDistance", "Bottom", "Ply", "Signed distance of the side to the tool", 0.0, READ_ONLY),
         Property("App::PropertyDistance", "Top", "Ply", "Signed distance of the side away from it", 0.0, READ_ONLY),
@@ -114,6 +133,7 @@ class PlyFeature(Feature):
             shape.Placement = placement.multiply(shape.Placement)
         place_result(obj, [shape])
         _describe(obj, report)
+        obj.FibreDirection = _fibre_direction(obj.Stack, obj.Number, report["angle"])
 
 
 def make_ply_stack(
@@ -130,6 +150,7 @@ def make_ply_stack(
     set_base(feature, base_obj, sub)
     feature.Layup = layup
     link_boundaries(feature)
+    link_rosettes(feature)
     feature.Tolerance = tolerance
     feature.Output = output
     feature.Document.recompute()
@@ -159,6 +180,46 @@ def link_boundaries(feature: Any) -> None:
     found = [obj for name in names for obj in feature.Document.getObjectsByLabel(name)[:1] if hasattr(obj, "Shape")]
     if feature.Boundaries != found:
         feature.Boundaries = found
+
+
+def link_rosettes(feature: Any) -> None:
+    """Links the rosettes of the document whose labels the layup's rows name."""
+    if feature.Layup is None or feature.Layup.Status != "ok":
+        return
+    names = dict.fromkeys(ply.rosette for ply in layup_of(feature.Layup).plies if ply.rosette)
+    named = [obj for name in names for obj in feature.Document.getObjectsByLabel(name)]
+    found = [obj for obj in named if isinstance(getattr(obj, "Proxy", None), RosetteFeature)]
+    if feature.Rosettes != found:
+        feature.Rosettes = found
+
+
+def check_rosettes(stack: Any) -> None:
+    """Raises BaseFaceError for a linked rosette that was refused."""
+    for rosette in [*([stack.Rosette] if stack.Rosette else []), *stack.Rosettes]:
+        if rosette.Status != "ok":
+            raise BaseFaceError("null-shape", f"{rosette.Label} was refused: {rosette.Message}")
+
+
+def rosettes_of(stack: Any) -> Dict[str, Any]:
+    """The laminate_offset.Rosettes by the names that the layup's rows have for them; "": of rows that name none."""
+    found = {rosette.Label: rosette_of(rosette) for rosette in stack.Rosettes}
+    return {**found, "": rosette_of(stack.Rosette)} if stack.Rosette else found
+
+
+def rosette_for_all(stack: Any) -> Any:
+    """The one laminate_offset.Rosette that all plies refer to; None where there is none, or where they name several."""
+    names = {ply.ply.rosette for ply in layup_of(stack.Layup).physical_plies()}
+    return rosettes_of(stack).get(names.pop()) if len(names) == 1 else None
+
+
+def _fibre_direction(stack: Any, number: int, angle: float) -> Any:
+    """Of a ply where its rosette is; zero without a rosette."""
+    rosette = rosettes_of(stack).get(layup_of(stack.Layup).physical_plies()[number - 1].ply.rosette)
+    if rosette is None:
+        return App.Vector()
+    ((_, face),) = linked_faces(stack.Base)
+    foot = lo.nearest_point(face, [rosette.origin]).uv
+    return App.Vector(*fibre_directions(face, foot, rosette, angle)[0])
 
 
 def _global_shape(obj: Any) -> Any:

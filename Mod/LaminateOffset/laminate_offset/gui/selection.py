@@ -82,6 +82,47 @@ class FacePicker:
             self._picked(App.getDocument(doc).getObject(obj), sub)
 
 
+class ElementPicker:
+    """While started, hands every picked sub-element that fits to a callback as (object, path, point in mm)."""
+
+    def __init__(self, features: List[Any], fits: Callable[[Any, str], bool], picked: Callable[[Any, str, Any], None]):
+        self._excluded = set(features)
+        for feature in features:
+            self._excluded.update(feature.InListRecursive)
+        self._fits = fits
+        self._picked = picked
+        self._running = False
+
+    def start(self) -> None:
+        """Only what fits can be picked from now on."""
+        import FreeCADGui
+
+        if not self._running:
+            FreeCADGui.Selection.clearSelection()
+            FreeCADGui.Selection.addSelectionGate(self)
+            FreeCADGui.Selection.addObserver(self, 0)
+            self._running = True
+
+    def stop(self) -> None:
+        """Back to free selection. Harmless when not started."""
+        import FreeCADGui
+
+        if self._running:
+            FreeCADGui.Selection.removeObserver(self)
+            FreeCADGui.Selection.removeSelectionGate()
+            self._running = False
+
+    def allow(self, _doc: Any, obj: Any, sub: str) -> bool:
+        """Called by FreeCAD for whatever is under the mouse."""
+        return obj not in self._excluded and self._fits(obj, sub)
+
+    def addSelection(self, doc: str, obj: str, sub: str, point: Any) -> None:
+        """Called by FreeCAD for each addition to the selection."""
+        picked = App.getDocument(doc).getObject(obj)
+        if self.allow(None, picked, sub):
+            self._picked(picked, sub, point)
+
+
 class PointPicker:
     """While started, hands every picked point to a callback as (object, point in mm)."""
 

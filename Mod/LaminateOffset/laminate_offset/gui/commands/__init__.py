@@ -15,6 +15,7 @@ from .layup import ExportLayupCommand, ImportLayupCommand, LayupCommand
 from .offset_face import OffsetFaceCommand
 from .offset_limits import OffsetLimitsCommand
 from .ply_stack import PlyStackCommand
+from .rosette import RosetteCommand
 from .stack_section import StackSectionCommand
 
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
@@ -34,6 +35,7 @@ _COMMANDS = (
     ImportLayupCommand,
     ExportLayupCommand,
     None,
+    RosetteCommand,
     PlyStackCommand,
     CoreSampleCommand,
     StackSectionCommand,

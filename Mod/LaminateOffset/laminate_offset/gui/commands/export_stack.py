@@ -6,9 +6,9 @@ from typing import Any
 
 import FreeCAD as App
 
-from ...export.book import export_ply_book
+from ...export import export_calculix, export_ply_book
 from ...features import progress
-from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of
+from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of, rosette_for_all
 from ...replacing import FileError
 from ..texts import translate
 from .base import Command, selected_of
@@ -67,7 +67,11 @@ class ExportStackCommand(Command):
         result, title, solids = result_of(stack), stack.Label, bool(stack.Solids)
         ending = os.path.splitext(path)[1].lower()
         if ending in (".html", ".htm"):
-            progress.run(title, lambda report: export_ply_book(result, path, title, progress=report))
+            axes = rosette_for_all(stack)
+            progress.run(title, lambda report: export_ply_book(result, path, title, axes, progress=report))
+        elif ending == ".inp":
+            axes = rosette_for_all(stack)
+            progress.run(title, lambda _report: export_calculix(result, path, rosette=axes))
         elif ending == ".fcstd":
             result.export(path, solids=solids)  # makes a document, which belongs to this thread
         else:

@@ -6,7 +6,8 @@ from typing import Any, List, Optional
 import FreeCAD as App
 
 from ...features.layup import LayupFeature
-from ...features.ply_stack import add_ply_stack, link_boundaries, set_base
+from ...features.ply_stack import add_ply_stack, link_boundaries, link_rosettes, set_base
+from ...features.rosette import RosetteFeature
 from .. import preferences
 from ..selection import Link, selected_faces
 from .base import Command, all_of, selected_of
@@ -44,6 +45,9 @@ class PlyStackCommand(Command):
         feature.DropOff = preferences.drop_off_ratio()
         feature.Layup = layup
         link_boundaries(feature)
+        link_rosettes(feature)
+        rosettes = all_of(RosetteFeature, doc)
+        feature.Rosette = rosettes[0] if len(rosettes) == 1 else None
         if links:
             set_base(feature, links[0][0], links[0][1][0])
         return feature

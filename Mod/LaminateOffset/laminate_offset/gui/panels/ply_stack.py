@@ -4,7 +4,8 @@
 from typing import Any, List
 
 from ...features.layup import LayupFeature, make_layup
-from ...features.ply_stack import link_boundaries, set_base
+from ...features.ply_stack import link_boundaries, link_rosettes, set_base
+from ...features.rosette import RosetteFeature
 from ..selection import Link
 from ..texts import translate
 from . import base
@@ -41,6 +42,7 @@ class PlyStackPanel(FacePanel):
         self._show_layups()
         self.form.dropOff.setValue(feature.DropOff)
         self.form.dropOff.valueChanged.connect(lambda ratio: self.assign("DropOff", ratio))
+        self._show_rosettes()
         self.form.layup.currentIndexChanged.connect(self._layup_chosen)
         self.form.newLayup.clicked.connect(self._new_layup)
 
@@ -52,6 +54,7 @@ class PlyStackPanel(FacePanel):
     def compute(self, *checked: Any) -> bool:
         """Recomputes the stack, with the boundaries that the layup names now."""
         link_boundaries(self._feature)
+        link_rosettes(self._feature)
         return super().compute(*checked)
 
     def missing(self) -> str:
@@ -70,6 +73,18 @@ class PlyStackPanel(FacePanel):
         if self._feature.Layup in self._layups:
             self.form.layup.setCurrentIndex(self._layups.index(self._feature.Layup))
         self.form.layup.blockSignals(False)
+
+    def _show_rosettes(self) -> None:
+        """The document's rosettes; the first entry stands for none."""
+        rosettes = [
+            None,
+            *(obj for obj in self._doc.Objects if isinstance(getattr(obj, "Proxy", None), RosetteFeature)),
+        ]
+        none = translate("PlyStackPanel", "none: the x axis")
+        self.form.rosette.addItems([none if rosette is None else rosette.Label for rosette in rosettes])
+        if self._feature.Rosette in rosettes:
+            self.form.rosette.setCurrentIndex(rosettes.index(self._feature.Rosette))
+        self.form.rosette.currentIndexChanged.connect(lambda index: self.assign("Rosette", rosettes[index]))
 
     def _layup_chosen(self, index: int) -> None:
         if 0 <= index < len(self._layups):

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A rosette is picked on a face and turned; a stack counts its angles from it."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+from PySide2.QtTest import QTest
+from scenarios.other_commands import only, wavy_face
+from session import (
+    click_in_view,
+    edit,
+    look_at_all,
+    press,
+    pump,
+    result_is_red,
+    result_text,
+    run_command,
+    screenshot,
+    select,
+    start,
+    type_into,
+    widget,
+    words_in,
+)
+
+BUTTON = QtGui.QDialogButtonBox
+
+
+def run() -> None:
+    """Called by scenario_runner.py."""
+    doc = start(1280, 720)
+    base = doc.addObject("Part::Feature", "Wavy")
+    base.Shape = wavy_face()
+    doc.recompute()
+    look_at_all()
+    rosette = picked(doc, base)
+    stack = used(doc, base, rosette)
+    undone(doc, stack)
+
+
+def picked(doc, base):
+    """With nothing selected the panel asks for a place; a click on the face gives it."""
+    Gui.Selection.clearSelection()
+    run_command("LaminateOffset_Rosette")
+    assert "Click a face" in result_text()
+    place = base.Shape.Face1.valueAt(0.4, 0.6)
+    click_in_view(point=place)
+    rosette = only(doc, "Rosette")
+    assert rosette.Status == "ok" and rosette.Origin.distanceToPoint(rosette.Point) < 0.1, result_text()
+    assert rosette.Origin.distanceToPoint(place) < 15
+    assert widget("support", QtGui.QLabel).text() == "Wavy: Face1" and words_in(rosette) == [" Rosette"]
+    before = App.Vector(rosette.FirstAxis)
+    type_into("turn", "30 deg")
+    assert abs(before.getAngle(rosette.FirstAxis) - 0.5235987756) < 1e-6
+    choice = widget("direction", QtGui.QComboBox)
+    choice.setFocus()
+    for _ in range(2):
+        QTest.keyClick(choice, QtCore.Qt.Key_Down)
+    pump(200)
+    assert rosette.Direction == App.Vector(0, 0, 1) and rosette.Status == "ok"
+    for _ in range(2):
+        QTest.keyClick(choice, QtCore.Qt.Key_Up)
+    pump(200)
+    assert rosette.Direction == App.Vector(1, 0, 0)
+    screenshot("rosette")
+    press(BUTTON.Ok)
+    assert not Gui.Control.activeDialog() and rosette.Turn.Value == 30
+    assert len(set(rosette.ViewObject.LineColorArray)) == 3
+    return rosette
+
+
+def used(doc, base, rosette):
+    """A new stack takes the document's only rosette; its panel offers the others."""
+    from laminate_offset.features.layup import make_layup
+
+    make_layup(doc)
+    select(base, "Face1")
+    run_command("LaminateOffset_PlyStack")
+    box = widget("rosette", QtGui.QComboBox)
+    assert [box.itemText(row) for row in range(box.count())] == [
+        "none: the x axis",
+        "Rosette",
+    ] and box.currentIndex() == 1
+    widget("output", QtGui.QComboBox).setCurrentText("Named plies")
+    screenshot("stack_panel")
+    press(BUTTON.Ok)
+    stack = only(doc, "PlyStack")
+    (ply,) = stack.ViewObject.Proxy.claimChildren()
+    assert stack.Rosette == rosette and ply.FibreDirection.getAngle(rosette.FirstAxis) < 1e-9
+    return stack
+
+
+def undone(doc, stack) -> None:
+    """An edit is one step of undo; Cancel takes it back; an edge gives its own direction."""
+    rosette = only(doc, "Rosette")
+    edit(rosette)
+    type_into("turn", "75 deg")
+    press(BUTTON.Cancel)
+    assert rosette.Turn.Value == 30
+    select(only(doc, "Wavy"), "Edge2")
+    run_command("LaminateOffset_Rosette")
+    assert "Edge2" in widget("support", QtGui.QLabel).text() and not result_is_red()
+    type_into("turn", "5 deg")
+    assert result_is_red() and "no normal to turn about" in result_text()
+    press(BUTTON.Cancel)
+    assert len([obj for obj in doc.Objects if obj.Name.startswith("Rosette")]) == 1
+    doc.undo()
+    assert doc.getObject("PlyStack") is None and stack is not None
