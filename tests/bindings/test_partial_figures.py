@@ -187,13 +187,76 @@ def test_solids_below_and_above_ramps(shape: str) -> None:
     assert whole.Volume > (1.0 + 1e-3) * stack.mass_properties().volume
 
 
-def test_a_laminate_that_ends_with_a_part_has_no_single_solid() -> None:
+@pytest.mark.parametrize("shape", ["plane", "free form"])
+@pytest.mark.parametrize("direction", ["normal", "reversed"])
+def test_a_laminate_that_begins_and_ends_with_parts_is_one_solid(shape: str, direction: str) -> None:
+    face = Part.makePlane(400.0, 300.0) if shape == "plane" else wavy_plate()
+    u0, u1, v0, v1 = face.ParameterRange
+    at = lambda a, b, c, d: (
+        u0 + a * (u1 - u0),
+        u0 + b * (u1 - u0),
+        v0 + c * (v1 - v0),
+        v0 + d * (v1 - v0),
+    )  # noqa: E731
+    given = {
+        "below": along_lines(face, *at(0.2, 0.5, 0.2, 0.6)),
+        "above": along_lines(face, *at(0.4, 0.8, 0.3, 0.8)),
+        "end": lo.Boundary(face.Surface.vIso(v0 + 0.5 * (v1 - v0)).toShape(u0, u1), side="right"),
+    }
+    upwards = tape(("", 0.25), ("above", 0.3), ("above", 0.3))
+    stack = lo.stack_plies(
+        face, upwards, direction=direction, boundaries=given, drop_off=RAMP, stagger={"above": [0, 10]}
+    )
+    body = stack.laminate_solid()
+    assert body.isValid() and body.isClosed() and body.ShapeType == "Solid"
+    assert body.Volume == pytest.approx(stack.mass_properties().volume, rel=1e-4)
+    both = lo.stack_plies(
+        face, tape(("below", 0.3), ("", 0.25), ("end", 0.3)), direction=direction, boundaries=given, drop_off=RAMP
+    )
+    body = both.laminate_solid()
+    assert body.isValid() and body.isClosed() and body.ShapeType == "Solid"
+    assert body.Volume == pytest.approx(both.mass_properties().volume, rel=2e-3)
+    places = [(u0 + 0.45 * (u1 - u0), v0 + part * (v1 - v0)) for part in (0.45, 0.55)]
+    seen = set()
+    for ply in both.plies:
+        for u, v in places:
+            middle = (ply.bottom_face.Surface.value(u, v) + ply.top_face.Surface.value(u, v)) * 0.5
+            there = ply.base_face.isPartOfDomain(u, v)
+            assert body.isInside(middle, 1e-6, False) == there, ply.ply.name
+            seen.add((ply.ply.number, there))
+    assert seen == {(1, True), (2, True), (3, True), (3, False)}
+
+
+def test_a_laminate_of_parts_alone() -> None:
     face = wavy_plate()
     given = {"patch": Part.Wire(Part.makeCircle(40.0, FreeCAD.Vector(200.0, 150.0, 0.0)))}
-    top = lo.stack_plies(face, tape(("", 0.25), ("patch", 0.25)), boundaries=given)
-    with pytest.raises(ValueError, match="Ply P2 covers a part of the face only.*material_solids"):
-        top.laminate_solid()
+    given["other"] = Part.Wire(Part.makeCircle(40.0, FreeCAD.Vector(220.0, 150.0, 0.0)))
+    apart = lo.stack_plies(face, tape(("patch", 0.25), ("other", 0.25)), boundaries=given, drop_off=RAMP)
+    with pytest.raises(ValueError, match="No ply covers the whole face.*material_solids"):
+        apart.laminate_solid()
     alone = lo.stack_plies(face, tape(("patch", 0.25), ("patch", 0.25)), boundaries=given)
     assert alone.plies[0].base_face is alone.plies[1].base_face
     assert alone.laminate_solid().isValid()
     assert alone.laminate_solid().Volume == pytest.approx(alone.mass_properties().volume, rel=1e-3)
+
+
+def test_figures_do_not_depend_on_where_and_how_the_face_stands() -> None:
+    face, turn = wavy_plate(), FreeCAD.Placement(FreeCAD.Vector(900, -200, 70), FreeCAD.Rotation(40, 50, 60))
+    u0, u1, v0, v1 = face.ParameterRange
+    at = (u0 + 0.3 * (u1 - u0), u0 + 0.6 * (u1 - u0), v0 + 0.3 * (v1 - v0), v0 + 0.7 * (v1 - v0))
+    wire, layup = along_lines(face, *at), tape(("", 0.5), ("patch", 0.4), ("", 0.25))
+    plain = lo.stack_plies(face, layup, boundaries={"patch": wire}, drop_off=RAMP).mass_properties()
+    moved, moved_wire = face.copy(), wire.copy()
+    moved.Placement, moved_wire.Placement = turn, turn
+    for reversed_face in (False, True):
+        stack = lo.stack_plies(
+            moved.reversed() if reversed_face else moved,
+            layup,
+            direction="reversed" if reversed_face else "normal",
+            boundaries={"patch": moved_wire},
+            drop_off=RAMP,
+        )
+        for ply, expected in zip(stack.mass_properties().plies, plain.plies):
+            assert ply.volume == pytest.approx(expected.volume, rel=1e-9)
+            assert ply.area == pytest.approx(expected.area, rel=1e-9)
+            assert (ply.center - turn.multVec(expected.center)).Length < 1e-6

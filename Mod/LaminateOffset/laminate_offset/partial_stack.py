@@ -12,12 +12,19 @@ import Part
 from . import _core
 from .api import Progress
 from .boundaries import Boundary
+from .errors import OffsetError
 from .layup import Layup, PhysicalPly
 from .mass_properties import MassProperties, measure_partial
 from .report import OffsetReport
 from .stack import MaterialSolid, PlyStack, StackPly, stack_report
 
 SIGNS = {"normal": 1.0, "reversed": -1.0}
+# Volumes that agree to this part count as equal: OpenCASCADE finds those above ramps no better.
+SAME_VOLUME = 2e-3
+# mm
+INSIDE = 1e-6
+# Places of a ply among which one inside of it is looked for, in each direction.
+GRID = 31
 
 
 @dataclass(frozen=True)
@@ -54,19 +61,27 @@ class PartialPlyStack(PlyStack):
         return tuple(MaterialSolid(run[0].ply.ply.material, run, solid) for run, solid in zip(runs, solids))
 
     def laminate_solid(self) -> "Part.Solid":
-        """The whole laminate as one solid, from the first ply's bottom to the last ply's top, with the pockets of resin
-        between. The first and the last ply must cover the whole face, or all plies the same part of it: raises ValueError
-        else, and as ply_solids does."""
-        first, last = self.plies[0], self.plies[-1]
-        alike = all(ply.base_face is first.base_face for ply in self.plies)
-        if not alike:
-            for ply in (first, last):
-                if ply.ply.ply.boundary:
-                    raise ValueError(
-                        f"Ply {ply.ply.name} covers a part of the face only, so the laminate's solid has no single top and "
-                        "bottom; take ply_solids() or material_solids(), or begin and end with plies of the whole face."
-                    )
-        return self._solids([(first, last)])[0]
+        """The laminate as one solid: from the first to the last ply of the whole face with the pockets of resin between,
+        joined with the plies below and above these, beside which pockets stay open. Where all plies cover the same part, it
+        lies between the first ply's bottom and the last one's top.
+
+        Raises:
+            ValueError: plies cover different parts, and none the whole face.
+            OffsetError: a solid cannot be made, see ply_solids, or the solids cannot be joined.
+        """
+        whole = [index for index, ply in enumerate(self.plies) if not ply.ply.ply.boundary]
+        if all(ply.base_face is self.plies[0].base_face for ply in self.plies):
+            whole = [0, len(self.plies) - 1]
+        if not whole:
+            raise ValueError(
+                "No ply covers the whole face, so the plies need not hang together in one solid; take ply_solids() or "
+                "material_solids()."
+            )
+        below, above = self.plies[: whole[0]], self.plies[whole[-1] + 1 :]
+        (body,) = self._solids([(self.plies[whole[0]], self.plies[whole[-1]])])
+        for ply in (*below[::-1], *above):
+            body = joined(body, ply)
+        return body
 
     @cached_property
     def _mass_properties(self) -> MassProperties:
@@ -79,6 +94,37 @@ class PartialPlyStack(PlyStack):
             faces = [first.bottom_face, last.top_face] if low_first else [last.top_face, first.bottom_face]
             solids += _core.ply_solids(faces, [(0, 1)])
         return tuple(solids)
+
+
+def joined(body: "Part.Solid", ply: StackPly) -> "Part.Solid":
+    """A solid with the ply that lies on it, as one. Raises OffsetError where they do not make one valid solid."""
+    name = ply.ply.name
+    try:
+        solids = body.fuse(ply.solid).Solids
+    except Part.OCCError as error:
+        raise OffsetError(
+            "kernel-error", "topology", f"Ply {name} could not be joined to the others: {error}"
+        ) from error
+    expected = body.Volume + ply.solid.Volume
+    good = len(solids) == 1 and solids[0].isValid() and solids[0].isClosed()
+    if not good or abs(solids[0].Volume - expected) > SAME_VOLUME * expected or not _holds(solids[0], ply):
+        raise OffsetError(
+            "invalid-result",
+            "topology",
+            f"Ply {name} could not be joined to the others in one valid solid; take ply_solids() or material_solids().",
+        )
+    return solids[0]
+
+
+def _holds(solid: "Part.Solid", ply: StackPly) -> bool:
+    """Whether a place half way through the ply is inside of the solid."""
+    u0, u1, v0, v1 = ply.base_face.ParameterRange
+    steps = (numpy.arange(GRID) + 0.5) / GRID
+    for u, v in ((u0 + a * (u1 - u0), v0 + b * (v1 - v0)) for a in steps for b in steps):
+        if ply.base_face.isPartOfDomain(u, v):
+            low, high = (face.Surface.value(u, v) for face in (ply.bottom_face, ply.top_face))
+            return bool(solid.isInside((low + high) * 0.5, INSIDE, False))
+    return True
 
 
 @dataclass(frozen=True)
