@@ -145,7 +145,10 @@ py::tuple stack_plies_for_python(const py::object &shape, const std::vector<PlyT
                                    surface_for_python(ply.top), LaidLayer{ply.distance, ply.thickness},
                                    ramp_for_python(ply.ramp)));
     }
-    return py::make_tuple(made, result.value().boundary_gaps, result.value().inset_error, result.value().elapsed);
+    const std::optional<TopoDS_Face> &moved = result.value().moved_seam;
+    const py::object lay_up = moved ? to_part(*moved, selected_exchange()) : py::object(py::none());
+    return py::make_tuple(lay_up, made, result.value().boundary_gaps, result.value().inset_error,
+                          result.value().elapsed);
 }
 
 } // namespace
@@ -159,7 +162,8 @@ void bind_ply_stack(py::module_ &module)
         py::arg("direction") = defaults.direction, py::arg("start") = defaults.start, py::arg("ratio") = defaults.ratio,
         py::arg("ramp_length") = py::none(), py::arg("ramp_slope") = "mean", py::arg("boundary_gap") = py::none(),
         py::arg("middle") = defaults.middle, py::arg("progress") = py::none(),
-        "Lays plies that may cover parts of one Part.Face; lengths in mm. Returns, for each ply, its region and "
+        "Lays plies that may cover parts of one Part.Face; lengths in mm. Returns the face with its seam moved, "
+        "or None where that was not needed; for each ply its region and "
         "(shape, report, over a ramp) of its bottom, middle or None, and top, its LaidLayer and the figures of its "
         "ramp or None; for each boundary its "
         "largest distance from the face or None; the largest error seen of an inset; and the time in ms; or raises "

@@ -9,6 +9,7 @@
 #include "stack/boundary_gap.h"
 #include "stack/boundary_inset.h"
 #include "stack/boundary_sides.h"
+#include "stack/moved_seam.h"
 #include "stack/ply_levels.h"
 #include "topology/build_face.h"
 #include "trimming/check_edges.h"
@@ -32,6 +33,8 @@ constexpr double least_ratio = 1.0;
 constexpr double most_ratio = 1000.0;
 // Of the tolerance: how near an image has to be to its curve so that its direction is right as well.
 constexpr double direction_share = 0.02;
+// A ramp that is bound by its steepest slope is so much longer at most, as a rule.
+constexpr double most_growth = 2.0;
 
 Failure option_refusal(std::string message)
 {
@@ -361,6 +364,28 @@ private:
     PlyStackResult m_result;
 };
 
+//! The face with its seam out of the way of boundaries; empty where it is in nobody's way.
+std::optional<TopoDS_Face> out_of_the_way(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
+                                          const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options)
+{
+    const Result<InputFace> input = read_face(face);
+    if (!input || !checked(plies, boundaries, options))
+        return std::nullopt; // refused by the pipeline
+    std::vector<TopoDS_Shape> images;
+    double clearance = 0.0;
+    for (const PlySpec &ply : plies)
+        if (ply.boundary)
+        {
+            const double longer = options.ramp_slope == RampSlope::Steepest ? most_growth : 1.0;
+            clearance =
+                std::max(clearance, ply.inset + longer * options.ramp_length.value_or(options.ratio * ply.thickness));
+            for (const TopoDS_Wire &wire : boundary_wires(boundaries[*ply.boundary].shape))
+                if (const auto image = project_curve(face, wire, {options.tolerance, Outside::Clip}))
+                    images.push_back(image.value().wire.Located(TopLoc_Location()));
+        }
+    return with_moved_seam(input.value(), images, clearance);
+}
+
 } // namespace
 
 Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
@@ -369,7 +394,11 @@ Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<P
     const auto start = std::chrono::steady_clock::now();
     try
     {
-        Result<PlyStackResult> result = PlyPipeline(face, plies, boundaries, options).run();
+        const std::optional<TopoDS_Face> moved = out_of_the_way(face, plies, boundaries, options);
+        const TopoDS_Shape lay_up = moved ? TopoDS_Shape(*moved) : face;
+        Result<PlyStackResult> result = PlyPipeline(lay_up, plies, boundaries, options).run();
+        if (result)
+            result.value().moved_seam = moved;
         if (result)
             result.value().elapsed =
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -114,6 +114,9 @@ struct StackedPly
 
 struct PlyStackResult
 {
+    //! The lay-up face again with its seam at another place, where boundaries would have crossed it; the plies and their
+    //! regions have its parameters. Empty where the face was taken as it is.
+    std::optional<TopoDS_Face> moved_seam;
     std::vector<StackedPly> plies;
     //! Largest distance seen of each boundary from the face [mm], inside the face's loops; empty where no ply has it.
     std::vector<std::optional<double>> boundary_gaps;

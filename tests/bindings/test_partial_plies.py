@@ -130,6 +130,25 @@ def test_a_boundary_far_from_the_face_is_refused_with_its_distance() -> None:
             lo.stack_plies(face, two, boundaries={"patch": far}, boundary_gap=wrong)
 
 
+@pytest.mark.parametrize("middle", [0.0, 0.35, 2.0])
+def test_a_patch_may_lie_across_the_seam_of_a_tube(middle: float) -> None:
+    tube = Part.makeCylinder(100.0, 300.0).Faces[0]
+    a, b = middle - 0.3, middle + 0.3
+    at = lambda angle, z: FreeCAD.Vector(100 * numpy.cos(angle), 100 * numpy.sin(angle), z)  # noqa: E731
+    circles = [Part.Circle(FreeCAD.Vector(0, 0, z), FreeCAD.Vector(0, 0, 1), 100) for z in (100, 200)]
+    arcs = [Part.ArcOfCircle(circle, a, b) for circle in circles]
+    sides = [Part.makeLine(at(angle, 100), at(angle, 200)) for angle in (a, b)]
+    wire = Part.Wire(Part.sortEdges([arc.toShape() for arc in arcs] + sides)[0])
+    stack = lo.stack_plies(tube, layup("", "patch", ""), boundaries={"patch": wire}, drop_off=RAMP)
+    assert stack.report["seam_moved"] == (middle < 1.0) and stack.base_face.isValid()
+    assert stack.plies[1].volume == pytest.approx(0.6 * 100 * (101.0**2 - 100.5**2) / 2, rel=1e-5)
+    angles = [a + 0.01, middle, b - 0.01, b + 0.8, a - 0.8]
+    points = [tuple(at(angle, 150)) for angle in angles]
+    assert stack.thickness(points) == pytest.approx([1.5, 1.5, 1.5, 1.0, 1.0], abs=2e-3)
+    assert [len(stack.core_sample(point).layers) for point in points] == [3, 3, 3, 2, 2]
+    assert all(ply.solid.isValid() for ply in stack.plies) and stack.laminate_solid().isValid()
+
+
 def test_ramps_are_reported_and_their_steepest_slope_can_be_given() -> None:
     face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
     line = Part.makeLine(FreeCAD.Vector(0, -200, 0), FreeCAD.Vector(0, 200, 0))

@@ -17,10 +17,12 @@
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <GeomConvert.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <IntTools_FClass2d.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
@@ -725,18 +727,65 @@ TEST(PlyStack, ARingRoundAClosedFaceHasNoInside)
     EXPECT_NE(stack.failure().message.find("goes round"), std::string::npos) << stack.failure().message;
 }
 
-TEST(PlyStack, ARampThatReachesTheSeamIsRefused)
+TEST(PlyStack, ASeamInTheWayIsMoved)
 {
-    const PlyBoundary boundary{"patch", patch_on_cylinder(0.35), PlySide::Inside, gp_Pnt()};
-    const std::vector<PlySpec> plies{{0.25, 0, 0.0}, {0.25, std::nullopt, 0.0}};
+    const std::vector<PlySpec> plies{{0.25, std::nullopt, 0.0}, {0.25, 0, 0.0}, {0.25, std::nullopt, 0.0}};
+    const TopoDS_Face tube = cylinder_face(0.0, 2.0 * M_PI);
+    gp_Trsf placing;
+    placing.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 2)), 0.7);
+    Handle(Geom_BSplineSurface) spline = GeomConvert::SurfaceToBSplineSurface(
+        new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(), 100.0), 0.0, 2.0 * M_PI, 0.0, 300.0));
+    const TopoDS_Face spline_tube = BRepBuilderAPI_MakeFace(spline, 1e-7);
+    for (const bool placed : {false, true})
+        for (const TopoDS_Face &standing : {tube, reversed(tube), spline_tube})
+            for (const double angle : {0.0, 0.29, 0.35, -0.1, 2.0})
+            {
+                SCOPED_TRACE(angle);
+                const TopoDS_Face face = placed ? TopoDS::Face(standing.Moved(TopLoc_Location(placing))) : standing;
+                const TopoDS_Shape patch =
+                    placed ? patch_on_cylinder(angle).Moved(TopLoc_Location(placing)) : patch_on_cylinder(angle);
+                const auto made = stack_plies(face, plies, {{"patch", patch, PlySide::Inside, {}}}, options_of(10.0));
+                ASSERT_TRUE(made) << why(made);
+                EXPECT_EQ(made.value().moved_seam.has_value(), angle < 1.0);
+                const TopoDS_Face lay_up = made.value().moved_seam.value_or(face);
+                EXPECT_TRUE(BRepCheck_Analyzer(lay_up).IsValid());
+                EXPECT_EQ(lay_up.Orientation(), face.Orientation());
+                // the same face: of equal size, and on it where it is
+                EXPECT_NEAR(area_of(lay_up), area_of(face), 1e-3 * area_of(face));
+                double u0, u1, v0, v1;
+                BRepTools::UVBounds(lay_up, u0, u1, v0, v1);
+                for (int i = 0; i < 40; ++i)
+                {
+                    const gp_Pnt p = BRep_Tool::Surface(lay_up)
+                                         ->Value(u0 + (u1 - u0) * i / 39.0, v0 + (v1 - v0) * (i % 7) / 6.0)
+                                         .Transformed(placed ? placing.Inverted() : gp_Trsf());
+                    EXPECT_NEAR(std::hypot(p.X(), p.Y()), 100.0, 1e-9);
+                    EXPECT_GT(p.Z(), -1e-9);
+                    EXPECT_LT(p.Z(), 300.0 + 1e-9);
+                }
+                EXPECT_NEAR(area_of(made.value().plies[1].region), 6000.0, 1e-3 * 6000.0);
+                expect_proven(made.value(), 1e-3);
+                const Seen seen = look_through(lay_up, plies, made.value(), 1.0);
+                EXPECT_GT(seen.present, 5000);
+                EXPECT_GT(seen.absent, 3000);
+                EXPECT_LE(seen.thickness, 2e-3);
+                EXPECT_LE(seen.crossing, 2e-3);
+                EXPECT_LE(seen.sideways, 1e-3);
+            }
+}
+
+TEST(PlyStack, ARampThatReachesASeamWithoutAnotherPlaceIsRefused)
+{
     const auto face = cylinder_face(0.0, 2.0 * M_PI);
-    const auto stack = stack_plies(face, plies, {boundary}, options_of(10.0));
+    const TopoDS_Wire ring =
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 40), gp_Dir(0, 0, 1)), 100.0)));
+    const std::vector<PlyBoundary> boundaries{{"patch", patch_on_cylinder(0.35), PlySide::Inside, gp_Pnt()},
+                                              {"ring", ring, PlySide::Left, gp_Pnt()}};
+    const std::vector<PlySpec> plies{{0.25, 0, 0.0}, {0.25, 1, 0.0}, {0.25, std::nullopt, 0.0}};
+    const auto stack = stack_plies(face, plies, boundaries, options_of(10.0));
     ASSERT_FALSE(stack.ok());
     EXPECT_EQ(stack.failure().status, Status::NotSupported);
     EXPECT_NE(stack.failure().message.find("seam"), std::string::npos) << stack.failure().message;
-    const PlyBoundary away{"patch", patch_on_cylinder(1.0), PlySide::Inside, gp_Pnt()};
-    const auto made = stack_plies(face, plies, {away}, options_of(10.0));
-    EXPECT_TRUE(made.ok()) << why(made);
 }
 
 TEST(PlyStack, NoInsetTurnsABoundaryInsideOut)

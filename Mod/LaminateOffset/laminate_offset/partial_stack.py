@@ -148,7 +148,7 @@ def lay_partial_plies(
     """The stack of plies of which some have boundaries."""
     names = list(boundaries)
     ratio, ramp_length = how.drop_off
-    made, gaps, inset_error, elapsed = _core.stack_plies(
+    moved, made, gaps, inset_error, elapsed = _core.stack_plies(
         face,
         [
             (ply.thickness, names.index(ply.ply.boundary) if ply.ply.boundary else None, inset)
@@ -166,14 +166,16 @@ def lay_partial_plies(
         middle=how.surface == "middle",
         progress=how.progress,
     )
+    whole = face if moved is None else moved
     stacked = []
     reports = []
     for ply, (region, bottom, middle, top, layer, slopes) in zip(plies, made):
         shape, report, over_ramp = {"bottom": bottom, "middle": middle, "top": top}[how.surface]
         reports += [OffsetReport(one[1]) for one in (bottom, middle, top) if one]
         own = (ply, bottom[0], top[0], shape, OffsetReport(report), region, over_ramp, slopes)
-        stacked.append(PartialStackPly(*own, whole_face=face, layer=layer))
+        stacked.append(PartialStackPly(*own, whole_face=whole, layer=layer))
     report = stack_report(layup, plies, reports, False, elapsed)
     report["boundary_gaps"] = {name: gap for name, gap in zip(names, gaps) if gap is not None}
     report["inset_error"] = inset_error
-    return PartialPlyStack(layup, stacked, report, face)
+    report["seam_moved"] = moved is not None
+    return PartialPlyStack(layup, stacked, report, whole)

@@ -128,8 +128,9 @@ class PlyStack:
         report: the figures of the whole stack as a dict: plies, thickness, tolerance, the largest certified_error and
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
             knots and trimming curves), partial_plies (those with a boundary) and elapsed_ms; with boundaries also
-            boundary_gaps (the largest distance seen of each from the face, by name) and inset_error.
-        base_face: the lay-up face.
+            boundary_gaps (the largest distance seen of each from the face, by name), inset_error and seam_moved.
+        base_face: the lay-up face, to whose parameters all that takes parameters refers. Where boundaries cross the seam of
+            a closed face, it is the same face with its seam elsewhere, and seam_moved in the report is true.
     """
 
     def __init__(self, layup: Layup, plies: Sequence[StackPly], report: Dict[str, Any], base_face: "Part.Face") -> None:

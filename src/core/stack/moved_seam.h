@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//! \file
+//! A closed face with its seam at another place, where no boundary of a ply crosses it.
+//!
+//! The parameters of a face that goes all round begin and end at its seam, so a curve that crosses it falls into parts, and
+//! so would a ply's part of the face. Where the face is a whole band, that is, bounded by parameter lines alone, the
+//! same surface can begin elsewhere: its parameters are then those of the old face up to a period.
+#pragma once
+
+#include "../input/input_face.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <optional>
+#include <vector>
+
+namespace laminate_offset
+{
+
+//! The same face, with its seam moved away from curves that it cuts or that lie near them.
+//! \param images wires whose edges have pcurves on the face's surface, without the face's location.
+//! \param clearance that ramps beside the curves need [mm].
+//! \return nothing where no seam is in the way or there is no place left for it, and where the face is no whole band on a
+//! cylinder, cone, sphere or torus (about the axis), or on a closed B-spline surface.
+std::optional<TopoDS_Face> with_moved_seam(const InputFace &input, const std::vector<TopoDS_Shape> &images,
+                                           double clearance);
+
+} // namespace laminate_offset
