@@ -369,8 +369,8 @@ std::optional<TopoDS_Face> out_of_the_way(const TopoDS_Shape &face, const std::v
                                           const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options)
 {
     const Result<InputFace> input = read_face(face);
-    if (!input || !checked(plies, boundaries, options))
-        return std::nullopt; // refused by the pipeline
+    if (!input || !has_seam(input.value()) || !checked(plies, boundaries, options))
+        return std::nullopt; // what is wrong is refused by the pipeline
     std::vector<TopoDS_Shape> images;
     double clearance = 0.0;
     for (const PlySpec &ply : plies)

@@ -52,7 +52,7 @@ struct CurveProjection
 
 //! Drops an edge or a wire onto the surface of a face, along the surface's normal. The wire stands on the face: its edges
 //! have pcurves on the face's surface. The loops of the face do not cut it. Degenerated edges are left out; a seam
-//! splits the curve. The given shapes are only read.
+//! splits the curve. Of a clipped curve no piece shorter than the tolerance is kept, unless it links others. The given shapes are only read.
 //! Refusals: those of the stage Input; InvalidTolerance; at the stage Trimming NotSupported (not an edge or wire, an edge
 //! without a curve in space, an offset surface, all of the curve outside) and EdgeToleranceNotReached.
 Result<CurveProjection> project_curve(const TopoDS_Shape &face, const TopoDS_Shape &edge_or_wire,

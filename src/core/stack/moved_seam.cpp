@@ -201,6 +201,15 @@ std::optional<double> better_place(const std::vector<std::pair<double, double>> 
 
 } // namespace
 
+bool has_seam(const InputFace &input)
+{
+    for (const TrimmingLoop &loop : input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            if (curve.seam)
+                return true;
+    return false;
+}
+
 std::optional<TopoDS_Face> with_moved_seam(const InputFace &input, const std::vector<TopoDS_Shape> &images,
                                            double clearance)
 {

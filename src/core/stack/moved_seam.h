@@ -17,6 +17,9 @@
 namespace laminate_offset
 {
 
+//! Has the face a seam at all?
+bool has_seam(const InputFace &input);
+
 //! The same face, with its seam moved away from curves that it cuts or that lie near them.
 //! \param images wires whose edges have pcurves on the face's surface, without the face's location.
 //! \param clearance that ramps beside the curves need [mm].
