@@ -4,6 +4,7 @@
 #include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/evaluate_face.h>
 
@@ -32,16 +33,15 @@ std::vector<gp_Pnt2d> read_parameters(const Parameters &uv)
 
 //! Thousands of places take a while: other threads of Python go on, and have no hold on the copy of the face.
 template <typename Evaluation>
-auto without_gil(const Evaluation &evaluation, const TopoDS_Shape &face, const std::vector<gp_Pnt2d> &uv)
+auto evaluate_without_gil(const Evaluation &evaluation, const TopoDS_Shape &face, const std::vector<gp_Pnt2d> &uv)
 {
-    const py::gil_scoped_release release;
-    return evaluation(face, uv);
+    return without_gil([&] { return evaluation(face, uv); });
 }
 
 py::array_t<double> face_curvatures_for_python(const py::object &shape, const Parameters &uv)
 {
     const Result<std::vector<FaceCurvatures>> found =
-        without_gil(face_curvatures, detached(from_part(shape, selected_exchange())), read_parameters(uv));
+        evaluate_without_gil(face_curvatures, detached(from_part(shape, selected_exchange())), read_parameters(uv));
     if (!found)
         raise(found.failure(), OffsetOptions{});
     const auto count = static_cast<py::ssize_t>(found.value().size());
@@ -58,7 +58,7 @@ py::array_t<double> face_curvatures_for_python(const py::object &shape, const Pa
 py::tuple evaluate_face_for_python(const py::object &shape, const Parameters &uv)
 {
     const Result<std::vector<FacePoint>> found =
-        without_gil(evaluate_face, detached(from_part(shape, selected_exchange())), read_parameters(uv));
+        evaluate_without_gil(evaluate_face, detached(from_part(shape, selected_exchange())), read_parameters(uv));
     if (!found)
         raise(found.failure(), OffsetOptions{});
     const auto count = static_cast<py::ssize_t>(found.value().size());

@@ -16,6 +16,8 @@
 #include "shape_exchange.h"
 #include "step_assembly_binding.h"
 #include "thread_limit_binding.h"
+#include "watched_progress.h"
+#include "without_gil.h"
 
 #include <Standard_Failure.hxx>
 #include <pybind11/pybind11.h>
@@ -60,6 +62,8 @@ PYBIND11_MODULE(_core, module)
     laminate_offset::python::bind_ply_solids(module);
     laminate_offset::python::bind_evaluate_face(module);
     laminate_offset::python::bind_thread_limit(module);
+    laminate_offset::python::bind_watched_progress(module);
+    laminate_offset::python::bind_engine_niceness(module);
     laminate_offset::python::bind_ply_stack(module);
     laminate_offset::python::bind_step_assembly(module);
 }

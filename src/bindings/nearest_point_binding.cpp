@@ -4,6 +4,7 @@
 #include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/nearest_point.h>
 
@@ -35,8 +36,7 @@ std::vector<gp_Pnt> read_points(const Points &points)
 Result<std::vector<NearestPoint>> search_without_gil(const TopoDS_Shape &face, const std::vector<gp_Pnt> &points,
                                                      bool trimmed)
 {
-    const py::gil_scoped_release release;
-    return nearest_points(face, points, trimmed);
+    return without_gil([&] { return nearest_points(face, points, trimmed); });
 }
 
 //! The arrays (n, 2) of parameters, (n, 3) of points, (n,) of distances.

@@ -7,6 +7,7 @@
 #include "offset_report_binding.h"
 #include "python_progress.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/offset_face.h>
 
@@ -26,14 +27,15 @@ namespace
 Result<OffsetResult> run_without_gil(const TopoDS_Shape &base, OffsetOptions options, PythonProgress &progress)
 {
     const Failure cancelled{Status::Cancelled, Stage::Options, std::string(sentence(Status::Cancelled)), {}, {}};
-    const py::gil_scoped_release release;
-    if (!progress.report(0.0))
-        return cancelled;
     options.progress = [&progress](double fraction) { return progress.report(fraction); };
-    Result<OffsetResult> result = offset_face(base, options);
-    if (result && !progress.report(1.0))
-        return cancelled;
-    return result;
+    return without_gil([&]() -> Result<OffsetResult> {
+        if (!progress.report(0.0))
+            return cancelled;
+        Result<OffsetResult> result = offset_face(base, options);
+        if (result && !progress.report(1.0))
+            return cancelled;
+        return result;
+    });
 }
 
 py::tuple offset_face_for_python(const py::object &shape, double distance, double tolerance, const std::string &method,

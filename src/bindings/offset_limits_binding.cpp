@@ -4,6 +4,7 @@
 #include "detached_shape.h"
 #include "offset_error.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/offset_limits.h>
 
@@ -21,8 +22,7 @@ namespace
 //! Large faces take a second: other threads of Python go on, and have no hold on the copy of the face.
 Result<OffsetLimits> search_without_gil(const TopoDS_Shape &face)
 {
-    const py::gil_scoped_release release;
-    return offset_limits(face);
+    return without_gil([&] { return offset_limits(face); });
 }
 
 //! The limits as JSON text.

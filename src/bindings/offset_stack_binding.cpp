@@ -7,6 +7,7 @@
 #include "offset_report_binding.h"
 #include "python_progress.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/offset_stack.h>
 
@@ -25,9 +26,8 @@ namespace
 Result<StackResult> run_without_gil(const TopoDS_Shape &base, const std::vector<double> &distances,
                                     OffsetOptions options, StackFit fit, PythonProgress &progress)
 {
-    const py::gil_scoped_release release;
     options.progress = [&progress](double fraction) { return progress.report(fraction); };
-    return offset_stack(base, distances, options, fit);
+    return without_gil([&] { return offset_stack(base, distances, options, fit); });
 }
 
 py::tuple offset_stack_for_python(const py::object &shape, const std::vector<double> &distances, double tolerance,

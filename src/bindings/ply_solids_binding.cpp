@@ -3,6 +3,7 @@
 
 #include "offset_error.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/ply_solids.h>
 
@@ -20,8 +21,7 @@ namespace
 Result<std::vector<TopoDS_Solid>> run_without_gil(const std::vector<TopoDS_Shape> &faces,
                                                   const std::vector<SolidSpan> &spans)
 {
-    const py::gil_scoped_release release;
-    return ply_solids(faces, spans);
+    return without_gil([&] { return ply_solids(faces, spans); });
 }
 
 py::list ply_solids_for_python(const std::vector<py::object> &faces,

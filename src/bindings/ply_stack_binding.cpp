@@ -8,6 +8,7 @@
 #include "offset_report_binding.h"
 #include "python_progress.h"
 #include "shape_exchange.h"
+#include "without_gil.h"
 
 #include <laminate_offset/ply_stack.h>
 
@@ -106,9 +107,8 @@ Result<PlyStackResult> run_without_gil(const TopoDS_Shape &face, const std::vect
                                        const std::vector<PlyBoundary> &boundaries, PlyStackOptions options,
                                        PythonProgress &progress)
 {
-    const py::gil_scoped_release release;
     options.progress = [&progress](double fraction) { return progress.report(fraction); };
-    return stack_plies(face, plies, boundaries, options);
+    return without_gil([&] { return stack_plies(face, plies, boundaries, options); });
 }
 
 py::tuple stack_plies_for_python(const py::object &shape, const std::vector<PlyTuple> &plies,

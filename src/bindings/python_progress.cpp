@@ -20,6 +20,8 @@ PythonProgress::PythonProgress(py::object callback) : m_callback(std::move(callb
 {
     if (!m_callback.is_none() && !PyCallable_Check(m_callback.ptr()))
         throw py::type_error("progress must be None or a callable that takes a fraction from 0 to 1.");
+    if (py::isinstance<WatchedProgress>(m_callback))
+        m_watched = m_callback.cast<WatchedProgress>();
 }
 
 bool PythonProgress::due(double fraction)
@@ -45,6 +47,12 @@ bool PythonProgress::report(double fraction)
 {
     if (m_cancelled)
         return false;
+    if (m_watched)
+    {
+        if (!m_watched->report(fraction))
+            m_cancelled = true;
+        return !m_cancelled;
+    }
     if (m_busy.test_and_set())
         return true; // another thread is asking
     if (due(fraction))

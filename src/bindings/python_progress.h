@@ -3,11 +3,14 @@
 //! Progress and cancellation between the core, which runs without the GIL, and Python.
 #pragma once
 
+#include "watched_progress.h"
+
 #include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <optional>
 
 namespace laminate_offset::python
 {
@@ -20,7 +23,7 @@ class PythonProgress
 {
 public:
     //! \param callback a callable taking a fraction in [0, 1] and returning a false value other than
-    //! None to cancel; or None.
+    //! None to cancel; or None. A WatchedProgress is told at once and without the GIL.
     explicit PythonProgress(pybind11::object callback);
 
     //! Called without the GIL. \return false to cancel.
@@ -42,6 +45,7 @@ private:
     bool ask(double fraction);
 
     pybind11::object m_callback;
+    std::optional<WatchedProgress> m_watched;
     std::exception_ptr m_raised;
     std::atomic<bool> m_cancelled = false;
     std::atomic_flag m_busy = ATOMIC_FLAG_INIT;

@@ -170,3 +170,56 @@ def test_searches_let_other_threads_run():
     stop.set()
     counter.join()
     assert during > 3, during
+
+
+def test_progress_is_watched_without_asking_python(heavy) -> None:
+    progress = _core.Progress()
+    result = lo.offset_face(heavy, DISTANCE, 1e-5, progress=progress)
+    assert result.report.status == "ok" and progress.fraction == 1.0 and not progress.cancelled
+
+
+def test_watched_progress_cancels_from_another_thread(heavy) -> None:
+    progress = _core.Progress()
+    timer = threading.Timer(0.02, progress.cancel)
+    timer.start()
+    with pytest.raises(lo.OffsetError) as refusal:
+        lo.offset_face(heavy, DISTANCE, TIGHT, progress=progress)
+    timer.join()
+    assert refusal.value.status == "cancelled" and progress.cancelled
+
+
+def test_parts_of_a_watched_progress_share_it() -> None:
+    whole = _core.Progress()
+    part = whole.part(1, 4).part(1, 2)
+    assert part(0.5) is True and whole.fraction == pytest.approx(0.25 + 0.125 + 0.0625)
+    assert part(7.0) and whole.fraction == pytest.approx(0.5)
+    whole.cancel()
+    assert part(0.0) is False and part.cancelled
+    for index, count in ((-1, 2), (2, 2), (0, 0)):
+        with pytest.raises(ValueError, match="index"):
+            whole.part(index, count)
+
+
+def test_engine_that_steps_back_gives_the_same() -> None:
+    base = sample_shapes.trimmed_bspline_face()
+    expected = lo.offset_face(base, 2.0).face.exportBrepToString()
+    told: List[object] = []
+
+    def behind() -> None:
+        _core.set_engine_niceness(5)
+        told.append(lo.offset_face(base, 2.0).face.exportBrepToString() == expected)
+        told.append(lo.nearest_point(base, [(1.0, 2.0, 3.0)]).distance.shape)
+        fractions: List[float] = []
+        lo.offset_face(base, 2.0, progress=fractions.append)
+        told.append(fractions[-1])
+        try:
+            lo.offset_face(base, 1e9)
+        except lo.OffsetError as error:
+            told.append(error.status)
+
+    thread = threading.Thread(target=behind)
+    thread.start()
+    thread.join()
+    assert told == [True, (1,), 1.0, "curvature-limit"], told
+    with pytest.raises(ValueError, match="0 to 19"):
+        _core.set_engine_niceness(20)

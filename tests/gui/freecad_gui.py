@@ -77,6 +77,8 @@ def _environment(name: str, out: pathlib.Path) -> dict:
         HOME=str(home),
         FREECAD_USER_HOME=str(home),
         LIBGL_ALWAYS_SOFTWARE="1",
+        # Each home is new: without a common place Matplotlib would search the fonts again for every scenario.
+        MPLCONFIGDIR=str(OUT / "matplotlib"),
         QTWEBENGINE_DISABLE_SANDBOX="1",
         QTWEBENGINE_CHROMIUM_FLAGS="--no-sandbox",
         LAMINATE_OFFSET_GUI_SCENARIO=name,

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 import Part
 from PySide import QtCore, QtGui
 from PySide2.QtTest import QTest
+from dragging import drag_row
 from session import (
     OUT,
     cell,
@@ -91,6 +92,7 @@ def rows_are_moved(layup) -> None:
     """Duplicate, mirror, angle preset, move and delete."""
     edit(layup)
     tree = widget("rows", QtGui.QTreeWidget)
+    assert tree.dragDropMode() == QtGui.QAbstractItemView.InternalMove
     names = lambda: [tree.topLevelItem(row).text(0) for row in range(tree.topLevelItemCount())]
     click("mirror")
     assert names() == ["P1", "P2", "P3", "P4", "P5", "P6"], names()
@@ -107,23 +109,15 @@ def rows_are_moved(layup) -> None:
     click("down")
     assert names() == ["P1", "P2", "P3", "P4"], names()
     click("up")
-    dragged(tree, 0, 4)
+    drag_row(tree, 0, 3)
     assert names() == ["P2", "P4", "P3", "P1"], names()
+    drag_row(tree, 1, 0, above=True)
+    assert names() == ["P4", "P2", "P3", "P1"], names()
     moved = tree.topLevelItem(3)
     assert [moved.text(column) for column in range(6)] == ["P1", "AS4-8552S-PW-193", "", "45", "1", ""]
     assert moved.checkState(6) == QtCore.Qt.Checked and moved.flags() & DRAGGED
     assert widget("total", QtGui.QLabel).text() == "8 plies, 1.172 mm", widget("total", QtGui.QLabel).text()
     press(BUTTON.Cancel)
-
-
-def dragged(tree, source: int, target: int) -> None:
-    """What Qt does at the end of a drag within the table: the row is dropped before another place, then taken away."""
-    model = tree.model()
-    assert tree.dragDropMode() == QtGui.QAbstractItemView.InternalMove and tree.topLevelItem(source).flags() & DRAGGED
-    data = model.mimeData([model.index(source, column) for column in range(model.columnCount())])
-    assert model.dropMimeData(data, QtCore.Qt.MoveAction, target, 0, QtCore.QModelIndex())
-    tree.takeTopLevelItem(source)
-    pump(200)
 
 
 def make_stack(doc, base, layup):

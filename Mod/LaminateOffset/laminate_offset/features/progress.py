@@ -6,6 +6,8 @@ The GUI installs a runner, which keeps its event loop alive meanwhile; without o
 
 from typing import Any, Callable, Optional
 
+from .. import _core
+
 #: Called with a fraction from 0 to 1; returns False to cancel.
 Report = Callable[[float], bool]
 
@@ -33,4 +35,7 @@ def part_of(report: Optional[Report], index: int, count: int) -> Optional[Report
     """The Report of the index-th of count equal steps."""
     if report is None:
         return None
+    if isinstance(report, _core.Progress):
+        part: Report = report.part(index, count)
+        return part
     return lambda fraction: report((index + fraction) / count)

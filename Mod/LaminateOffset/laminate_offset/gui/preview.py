@@ -5,9 +5,10 @@ What is drawn are points of the base, moved along their normals: points of the e
 differs by no more than the tolerance. So a preview costs no mesh of a new surface.
 """
 
-from typing import Any, List, Optional
+from typing import Any, List, NamedTuple, Optional
 
 import FreeCAD as App
+import numpy
 
 from ..features.face_grid import FaceGrid
 from ..features.fold_region import FoldRegion
@@ -18,6 +19,20 @@ from .refusal_mark import ORANGE, RED, fold, marks
 _LINE = (0.10, 0.22, 0.40)
 
 
+class Drawing(NamedTuple):
+    """Plain lists, as the scene takes them.
+
+    Attributes:
+        points, indices: of the facets; each facet's indices end with -1.
+        corners, lengths: of the lines; how many corners each line has.
+    """
+
+    points: List[List[float]]
+    indices: List[int]
+    corners: List[List[float]]
+    lengths: List[int]
+
+
 class Preview:
     """The preview in one 3-D view. It can not be picked."""
 
@@ -25,8 +40,8 @@ class Preview:
         self._scene = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
         self._node = None
 
-    def show(self, grids: List[FaceGrid], distance: float, limits: List[Mark]) -> None:
-        """Draws the offset of the faces behind the grids at a distance [mm], and where the limits are reached."""
+    def show(self, pictures: List[Drawing], limits: List[Mark]) -> None:
+        """Draws the pictures, and where the limits are reached."""
         self.remove()
         if self._scene is None:
             return
@@ -38,9 +53,9 @@ class Preview:
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         self._node.addChild(style)
         self._node.addChild(hints)
-        for grid in grids:
-            self._node.addChild(_faces(grid, distance))
-            self._node.addChild(_edges(grid, distance))
+        for picture in pictures:
+            self._node.addChild(_faces(picture))
+            self._node.addChild(_edges(picture))
         self._node.addChild(marks([(limit.point, f"{limit.distance:.4g} mm") for limit in limits], ORANGE))
         self._scene.addChild(self._node)
 
@@ -64,32 +79,41 @@ class Preview:
             self._node = None
 
 
-def _faces(grid: FaceGrid, distance: float) -> Any:
+def drawing(grid: FaceGrid, distance: float) -> Drawing:
+    """What is drawn of the offset of the face behind a grid at a distance [mm]. Made in the worker: the GUI's thread only hands
+    it to the scene."""
+    corners = numpy.column_stack([grid.quads, numpy.full(len(grid.quads), -1)])
+    lines = [points + distance * normals for points, normals in grid.edges]
+    return Drawing(
+        (grid.points + distance * grid.normals).tolist(),
+        corners.ravel().tolist(),
+        numpy.concatenate([numpy.zeros((0, 3)), *lines]).tolist(),
+        [len(line) for line in lines],
+    )
+
+
+def _faces(picture: Drawing) -> Any:
     from pivy import coin
 
     node, paint, corners, faces = coin.SoSeparator(), coin.SoMaterial(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
     paint.diffuseColor = OFFSET_LOOK.colour
     paint.transparency = 0.45
-    corners.point.setValues(0, len(grid.points), (grid.points + distance * grid.normals).tolist())
-    indices = [index for quad in grid.quads.tolist() for index in (*quad, -1)]
-    faces.coordIndex.setValues(0, len(indices), indices)
+    corners.point.setValues(0, len(picture.points), picture.points)
+    faces.coordIndex.setValues(0, len(picture.indices), picture.indices)
     for part in (paint, corners, faces):
         node.addChild(part)
     return node
 
 
-def _edges(grid: FaceGrid, distance: float) -> Any:
+def _edges(picture: Drawing) -> Any:
     from pivy import coin
 
     node, light, paint = coin.SoSeparator(), coin.SoLightModel(), coin.SoBaseColor()
+    corners, lines = coin.SoCoordinate3(), coin.SoLineSet()
     light.model = coin.SoLightModel.BASE_COLOR
     paint.rgb = _LINE
-    node.addChild(light)
-    node.addChild(paint)
-    for points, normals in grid.edges:
-        corners, line = coin.SoCoordinate3(), coin.SoLineSet()
-        corners.point.setValues(0, len(points), (points + distance * normals).tolist())
-        line.numVertices = len(points)
-        node.addChild(corners)
-        node.addChild(line)
+    corners.point.setValues(0, len(picture.corners), picture.corners)
+    lines.numVertices.setValues(0, len(picture.lengths), picture.lengths)
+    for part in (light, paint, corners, lines):
+        node.addChild(part)
     return node

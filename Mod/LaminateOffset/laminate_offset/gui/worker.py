@@ -1,45 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work in another thread. The engine computes without Python's lock, so that the GUI goes on."""
 
-import os
-import sys
+import _thread
 import threading
 from typing import Any, Callable, Optional
 
-from ..features.progress import Report, Work
+from .. import _core
+from ..features.progress import Work
 from . import preferences
 
-
-#: By how much work steps behind the GUI where both want a processor core (niceness).
+#: By how much the engine steps back behind the GUI where both want a processor core (niceness). Only the engine does: a
+#: thread that steps back while it runs Python would hold up all of Python, the GUI too.
 _NICENESS = 5
 
 
-def _step_back() -> None:
-    """Linux gives every thread a priority of its own; threads that the engine starts from this one inherit it."""
-    if sys.platform.startswith("linux"):
-        try:
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), os.getpriority(os.PRIO_PROCESS, 0) + _NICENESS)
-        except OSError:
-            pass  # a wish, no need
-
-
 class Job:
-    """One piece of work in a thread of its own, started at once.
-
-    Attributes:
-        fraction: how far it is, from 0 to 1.
-    """
+    """One piece of work in a thread of its own, started at once."""
 
     def __init__(self, work: Work):
-        self.fraction = 0.0
         self._work = work
-        self._cancelled = False
+        self._progress = _core.Progress()
         self._value: Any = None
         self._error: Optional[BaseException] = None
         self._done = threading.Event()
         preferences.apply()
-        self._thread = threading.Thread(target=self._run, name="LaminateOffset", daemon=True)
-        self._thread.start()
+        # A threading.Thread would make the GUI wait until the other thread has run for the first time.
+        _thread.start_new_thread(self._run, ())
+
+    @property
+    def fraction(self) -> float:
+        """How far it is, from 0 to 1."""
+        return float(self._progress.fraction)
 
     def wait(self, seconds: float = 0.0) -> bool:
         """Whether the work has ended; waits for that so long at most."""
@@ -47,12 +38,12 @@ class Job:
 
     def cancel(self) -> None:
         """Asks the work to end soon."""
-        self._cancelled = True
+        self._progress.cancel()
 
     @property
     def cancelled(self) -> bool:
         """Whether it was asked to end."""
-        return self._cancelled
+        return bool(self._progress.cancelled)
 
     def result(self) -> Any:
         """What the work returned, once it has ended; raises what it raised."""
@@ -61,18 +52,13 @@ class Job:
         return self._value
 
     def _run(self) -> None:
-        _step_back()
-        report: Report = self._report
+        _core.set_engine_niceness(_NICENESS)
         try:
-            self._value = self._work(report)
+            self._value = self._work(self._progress)
         except BaseException as error:  # handed to the thread that asks for the result
             self._error = error
         finally:
             self._done.set()
-
-    def _report(self, fraction: float) -> bool:
-        self.fraction = fraction
-        return not self._cancelled
 
 
 class Newest:

@@ -14,7 +14,7 @@ from ...features.offset_face import OffsetRequest, describe_results, prepare, se
 from ...features.offset_limits import limits_of
 from ...messages import feasible_range
 from ..direction_arrow import DirectionArrow
-from ..preview import Preview
+from ..preview import Preview, drawing
 from ..selection import Link
 from ..texts import translate
 from ..worker import Job, Newest
@@ -152,7 +152,7 @@ class OffsetFacePanel(FacePanel):
     def _previewed(self, job: Job) -> None:
         """The worker has an outcome of what is asked for."""
         try:
-            request, results, grids, limits = job.result()
+            request, results, pictures, limits = job.result()
         except Exception as error:  # a refusal, or a defect that the user must see as well
             self.tell(messages.refusal(error, getattr(error, "face", "")), refused=True)
             self._show_range(feasible_range(getattr(error, "feasible_range", None)))
@@ -163,11 +163,11 @@ class OffsetFacePanel(FacePanel):
         elapsed = sum(result.report.elapsed_ms.total for result in results)
         self.tell(f"{describe_results(results)}; {elapsed:.0f} ms")
         self._show_range(describe_range(tuple(None if limit is None else limit.distance for limit in limits)))
-        self._preview.show(grids, request.distance, [limit for limit in limits if limit is not None])
+        self._preview.show(pictures, [limit for limit in limits if limit is not None])
 
 
 def _compute(request: OffsetRequest, report: Any) -> Any:
     """In the worker: the offsets, what is drawn of them, and the tightest limits of both sides."""
     results = request.compute(report)
-    grids = [face_grid(face) for _, face in request.faces]
-    return request, results, grids, limits_of(request.faces, report)[1]
+    pictures = [drawing(face_grid(face), request.distance) for _, face in request.faces]
+    return request, results, pictures, limits_of(request.faces, report)[1]
