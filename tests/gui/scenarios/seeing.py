@@ -218,6 +218,8 @@ def section(doc, stack) -> None:
     press(BUTTON.Ok)
     assert not Gui.Control.activeDialog() and cut.Status == "ok"
     edit(cut)
+    type_into("exaggeration", "7")
+    assert cut.ViewObject.Exaggeration == 7
     press(BUTTON.Cancel)
     assert cut.ViewObject.Exaggeration == 20 and cut.Position.Value == 25
 

@@ -34,6 +34,7 @@ class StackSectionPanel(FeaturePanel):
     def __init__(self, feature: Any):
         self._stacks = stacks(feature.Document)
         self._view = feature.ViewObject
+        self._before = (self._view.Exaggeration, self._view.PlyNames)
         super().__init__(feature)
         self.form.stack.addItems([stack.Label for stack in self._stacks])
         if feature.Stack in self._stacks:
@@ -53,6 +54,11 @@ class StackSectionPanel(FeaturePanel):
             self.tell(self.missing(), refused=True)
         elif self.compute() and is_new:
             self.form.exaggeration.setValue(usual_exaggeration(self._feature))
+
+    def reject(self) -> bool:
+        """Takes everything back; undo knows nothing of how things are shown."""
+        self._view.Exaggeration, self._view.PlyNames = self._before
+        return super().reject()
 
     def missing(self) -> str:
         """A stack, when there is none."""
