@@ -235,6 +235,56 @@ TEST(SmoothFit, ReachesToleranceWithFewPoles)
     }
 }
 
+//! A cubic spline of little waves over many simple knots, as approximations leave them: C2 and no smoother.
+struct WavyCubic
+{
+    KnotVector knots;
+    RowMatrix poles;
+
+    explicit WavyCubic(int spans) : knots(clamped_knots(3, 0.0, 1.0, even(spans)))
+    {
+        RandomCases random;
+        poles.resize(knots.pole_count(), 3);
+        for (int i = 0; i < knots.pole_count(); ++i)
+            poles.row(i) << 100.0 * i / knots.pole_count(), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1);
+    }
+
+    static std::vector<double> even(int spans)
+    {
+        std::vector<double> interior;
+        for (int k = 1; k < spans; ++k)
+            interior.push_back(static_cast<double>(k) / spans);
+        return interior;
+    }
+
+    [[nodiscard]] RowMatrix values(const std::vector<double> &parameters) const
+    {
+        const BasisRows rows(knots, parameters);
+        RowMatrix points = RowMatrix::Zero(rows.rows(), 3);
+        for (int k = 0; k < rows.rows(); ++k)
+            for (int i = 0; i < rows.width(); ++i)
+                points.row(k) += rows.row(k)[i] * poles.row(rows.first(k) + i);
+        return points;
+    }
+};
+
+TEST(JoinedFit, FollowsACurveThatIsTwiceDifferentiableWithItsOwnPoles)
+{
+    for (const int spans : {5, 40, 90})
+    {
+        const WavyCubic wavy(spans);
+        SmoothCurve curve{[&](const std::vector<double> &t) { return wavy.values(t); }, wavy.knots.breaks()};
+        std::vector<DataBreak> joins;
+        for (const double knot : WavyCubic::even(spans))
+            joins.push_back({knot, 2});
+        const auto fit = joined_fit(curve, joins, 1e-9);
+        ASSERT_TRUE(fit) << spans;
+        EXPECT_EQ(fit->knots.degree, 3);
+        EXPECT_EQ(fit->knots.pole_count(), wavy.knots.pole_count());
+        EXPECT_LT((fit->poles - wavy.poles).cwiseAbs().maxCoeff(), 1e-8);
+    }
+}
+
 TEST(SmoothFit, GivesKinksUp)
 {
     const auto kinked = [](double t) -> Eigen::Vector3d { return {100.0 * t, 20.0 * std::abs(t - 0.37), 0.0}; };

@@ -120,6 +120,26 @@ TEST(KnotChoice, TighterTolerancesCostMorePoles)
     EXPECT_GT(before, 20);
 }
 
+TEST(KnotChoice, GoesOnFromWhatALooserToleranceHasLedTo)
+{
+    for (const double tolerance : {1e-2, 1e-4, 1e-6})
+    {
+        SCOPED_TRACE(tolerance);
+        KnotProblem problem = problem_of({helix, bump}, -2.0, 5.0, tolerance);
+        const auto looser = choose_knots(problem);
+        ASSERT_TRUE(looser.has_value());
+        problem.tolerance = 0.7 * tolerance;
+        const auto afresh = choose_knots(problem);
+        problem.start = &looser->knots;
+        const auto further = choose_knots(problem);
+        ASSERT_TRUE(afresh.has_value());
+        ASSERT_TRUE(further.has_value());
+        EXPECT_EQ(further->knots.degree, looser->knots.degree);
+        EXPECT_LE(independent_error(problem, further->knots), between_samples * problem.tolerance);
+        EXPECT_LE(further->knots.pole_count(), 1.2 * afresh->knots.pole_count());
+    }
+}
+
 TEST(KnotChoice, FindsASplineOfFewKnotsAmongManyBreaks)
 {
     KnotProblem problem = problem_of({two_cubics}, 0.0, 1.0, 1e-9);

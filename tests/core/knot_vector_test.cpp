@@ -3,6 +3,7 @@
 #include "support/random_cases.h"
 
 #include <laminate_offset/spline/knot_vector.h>
+#include <laminate_offset/spline/vector_kernels.h>
 
 #include <BSplCLib.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace laminate_offset;
@@ -239,6 +241,31 @@ TEST(Basis, SumsToTheCurvesOfOpenCascadeWithAllTheirDerivatives)
                 EXPECT_LE((sum - expected).Modulus(), 1e-11 * (1.0 + expected.Modulus()))
                     << "order " << k << " at " << u;
             }
+    });
+}
+
+TEST(Basis, ManyParametersAtOnceGiveTheValuesOfEach)
+{
+    for_knot_vectors([](const KnotVector &kv, RandomCases &random) {
+        const std::vector<double> breaks = kv.breaks();
+        for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        {
+            std::array<double, lanes> u;
+            for (double &x : u)
+                x = random.uniform(breaks[i], breaks[i + 1]);
+            const int span = kv.span(0.5 * (breaks[i] + breaks[i + 1]));
+            SpanBasis basis;
+            basis.reset(kv.knots.data() + span, kv.degree);
+            std::vector<double> rows(static_cast<std::size_t>(lanes * (kv.degree + 1)));
+            basis.lane_values(kv.degree, u.data(), rows.data());
+            for (std::size_t k = 0; k < u.size(); ++k)
+            {
+                std::vector<double> values(static_cast<std::size_t>(kv.degree) + 1);
+                basis_values(kv, span, u[k], values.data());
+                for (std::size_t j = 0; j < values.size(); ++j)
+                    EXPECT_NEAR(rows[j * lanes + k], values[j], 1e-14);
+            }
+        }
     });
 }
 

@@ -153,12 +153,15 @@ gp_Pnt2d end_point(const TrimmingCurve &curve, bool at_end)
 }
 
 //! Do two ends meet, by a shared vertex or within the vertices' tolerances?
-bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const InputFace &input)
+bool share_vertex(const TrimmingCurve &before, const TrimmingCurve &after)
 {
     const TopoDS_Vertex end = TopExp::LastVertex(before.edge, true);
     const TopoDS_Vertex start = TopExp::FirstVertex(after.edge, true);
-    if (!end.IsNull() && !start.IsNull() && end.IsSame(start))
-        return true;
+    return !end.IsNull() && !start.IsNull() && end.IsSame(start);
+}
+
+bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const InputFace &input)
+{
     const gp_Pnt2d a = end_point(before, true);
     const gp_Pnt2d b = end_point(after, false);
     const double tolerance = std::max(input.tolerance, Precision::Confusion());
@@ -169,8 +172,11 @@ bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const In
 Result<bool> check_closed(const TrimmingLoop &loop, const InputFace &input)
 {
     const auto starts_here = [&](const TrimmingCurve &before) {
-        return std::any_of(loop.curves.begin(), loop.curves.end(),
-                           [&](const TrimmingCurve &after) { return ends_meet(before, after, input); });
+        const auto any = [&](const auto &joined) {
+            return std::any_of(loop.curves.begin(), loop.curves.end(), joined);
+        };
+        return any([&](const TrimmingCurve &after) { return share_vertex(before, after); }) ||
+               any([&](const TrimmingCurve &after) { return ends_meet(before, after, input); });
     };
     for (const TrimmingCurve &curve : loop.curves)
         if (curve.bounds_face() && !starts_here(curve))
@@ -247,9 +253,11 @@ double largest_tolerance(const TopoDS_Face &face)
 //! Diagonal of the box of points on the loops and on a grid between them.
 double extent_of(const InputFace &input, const std::vector<PcurvePiece> &pieces)
 {
+    constexpr std::size_t enough_pieces = 200;
     Bnd_Box space;
-    for (const PcurvePiece &piece : pieces)
+    for (std::size_t i = 0; i < pieces.size(); i += 1 + pieces.size() / enough_pieces)
     {
+        const PcurvePiece &piece = pieces[i];
         space.Add(input.point(piece.start));
         space.Add(input.point(gp_Pnt2d(0.5 * (piece.start.XY() + piece.end.XY()))));
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace laminate_offset
 {
@@ -21,10 +22,15 @@ constexpr int spare_samples = 2;
 constexpr double compression_share = 0.02;
 // Spans are not halved below this part of the whole range.
 constexpr double smallest_span = 1e-5;
-// So many of the lowest-ranked knots are tried one by one before the rest is believed to be needed.
+// So many of the lowest-ranked knots are tried one by one before the rest is believed to be needed. What has failed is
+// not tried again: a space with fewer knots elsewhere is part of the one that failed.
 constexpr int last_tries = 4;
 // The middle degrees win most often, and what they reach cuts the others short.
 constexpr int degree_order[] = {4, 5, 3, 6, 7, 2, 1};
+// Where the first degree needs more poles than this between breaks, the data is smooth and a higher degree will do with
+// far fewer: that one goes first.
+constexpr int most_first_poles = 64;
+constexpr int smooth_degree = 6;
 // A refined fit is thinned out only if that may beat the best count so far: if thinning leaves it this part of what it
 // left the luckiest degree before. Polylines and parabolas, which refine without end where they do not fit at once,
 // have to win as they are. Small fits cost too little to be judged.
@@ -352,13 +358,27 @@ private:
         return count(trial.interior) > count(m_required);
     }
 
-    //! One occurrence of every distinct interior knot that may go, the least needed first.
-    [[nodiscard]] std::vector<Candidate> candidates(const Trial &trial) const
+    //! The knot that a candidate is the last occurrence of.
+    [[nodiscard]] static Knot knot_at(const Trial &trial, const Candidate &candidate)
     {
+        const double parameter = trial.interior[candidate.index];
+        const auto range = std::equal_range(trial.interior.begin(), trial.interior.end(), parameter);
+        return {parameter, static_cast<int>(range.second - range.first)};
+    }
+
+    //! One occurrence of every distinct interior knot that may go, the least needed first.
+    [[nodiscard]] std::vector<Candidate> candidates(const Trial &trial, const std::vector<Knot> &needed) const
+    {
+        const auto is_needed = [&](std::size_t i) {
+            const Knot here = knot_at(trial, {0.0, i});
+            return std::any_of(needed.begin(), needed.end(), [&](const Knot &knot) {
+                return knot.parameter == here.parameter && knot.multiplicity >= here.multiplicity;
+            });
+        };
         std::vector<Candidate> result;
         for (std::size_t i = 0; i < trial.interior.size(); ++i)
             if ((i + 1 == trial.interior.size() || trial.interior[i + 1] > trial.interior[i]) &&
-                removable(trial, trial.interior[i]))
+                removable(trial, trial.interior[i]) && !is_needed(i))
                 result.push_back({removal_weight(trial, static_cast<int>(i) + m_degree + 1), i});
         std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) { return a.weight < b.weight; });
         return result;
@@ -381,24 +401,41 @@ private:
         return fit_within_tolerance(std::move(interior));
     }
 
+    //! Tries the first candidates one by one; those that cannot go are noted in `needed`.
+    [[nodiscard]] std::optional<Trial> without_one(const Trial &trial, const std::vector<Candidate> &order,
+                                                   std::vector<Knot> &needed) const
+    {
+        std::optional<Trial> thinner;
+        for (std::size_t k = 0; k < std::min<std::size_t>(last_tries, order.size()) && !thinner; ++k)
+        {
+            thinner = without(trial, order, k, 1);
+            if (!thinner)
+                needed.push_back(knot_at(trial, order[k]));
+        }
+        return thinner;
+    }
+
     //! Removes batches of knots, halving the batch whenever it breaks the tolerance.
     void thin_out(Trial &trial)
     {
+        std::vector<Knot> needed;
         std::size_t batch = trial.interior.size() / 2;
         while (!trial.interior.empty())
         {
-            const std::vector<Candidate> order = candidates(trial);
+            const std::vector<Candidate> order = candidates(trial, needed);
             if (order.empty())
                 return;
+            batch = std::min(std::max<std::size_t>(batch, 1), order.size());
+            std::size_t tried = batch;
             std::optional<Trial> thinner;
-            for (batch = std::min(std::max<std::size_t>(batch, 1), order.size()); batch > 1 && !thinner; batch /= 2)
-                thinner = without(trial, order, 0, batch);
-            for (std::size_t k = 0; k < std::min<std::size_t>(last_tries, order.size()) && !thinner; ++k)
-                thinner = without(trial, order, k, 1);
+            while (tried > 1 && !(thinner = without(trial, order, 0, tried)))
+                tried /= 2;
+            if (!thinner)
+                thinner = without_one(trial, order, needed);
             if (!thinner)
                 return;
             trial = std::move(*thinner);
-            batch = std::max<std::size_t>(batch * 2, 1);
+            batch = tried == batch ? 2 * batch : tried / 2;
         }
     }
 
@@ -413,30 +450,79 @@ private:
 
 } // namespace
 
-std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
+namespace
 {
-    SampledData data(problem);
-    std::optional<KnotChoice> best;
-    double part_left = 1.0;
-    for (const int degree : degree_order)
+
+//! The search over all degrees that a problem admits.
+class DegreeChoice
+{
+public:
+    explicit DegreeChoice(const KnotProblem &problem) : m_problem(problem), m_data(problem) {}
+
+    std::optional<KnotChoice> run()
     {
-        if (degree < std::max(problem.min_degree, problem.required_degree) || degree > problem.max_degree)
-            continue;
-        const int fewest = best ? best->knots.pole_count() : problem.max_poles;
+        const bool smooth_first = !try_degree(degree_order[0], first_poles()) && try_degree(smooth_degree);
+        for (const int degree : degree_order)
+            if (degree != (smooth_first ? smooth_degree : degree_order[0]) || !m_best)
+                try_degree(degree);
+        return m_best;
+    }
+
+    //! At one degree, from given knots.
+    std::optional<KnotChoice> run_from(const KnotVector &start)
+    {
+        search(start.degree, m_problem.max_poles, &start);
+        return m_best;
+    }
+
+private:
+    //! So many poles are tried of the first degree before a higher one.
+    [[nodiscard]] int first_poles() const
+    {
+        int poles = most_first_poles;
+        for (const DataBreak &b : m_problem.breaks)
+            poles += std::max(1, degree_order[0] - b.continuity);
+        return smooth_degree <= m_problem.max_degree ? poles : m_problem.max_poles;
+    }
+
+    //! \return whether the degree reaches the tolerance.
+    bool try_degree(int degree, int most_poles = std::numeric_limits<int>::max())
+    {
+        if (degree < std::max(m_problem.min_degree, m_problem.required_degree) || degree > m_problem.max_degree)
+            return false;
+        const int fewest = m_best ? m_best->knots.pole_count() : m_problem.max_poles;
         if (degree + 1 >= fewest)
-            continue;
-        const double judged = fewest > small_fit ? std::max(least_part_left, luckier * part_left) : least_part_left;
+            return false;
+        const double judged = fewest > small_fit ? std::max(least_part_left, luckier * m_part_left) : least_part_left;
         const double hope = degree < lowest_thinned_degree ? 1.0 : judged;
-        const int most = best ? static_cast<int>(fewest / hope) : problem.max_poles;
-        DegreeSearch search(problem, data, degree, std::min(most, problem.max_poles), best ? &best->knots : nullptr);
+        const int most = m_best ? static_cast<int>(fewest / hope) : m_problem.max_poles;
+        return search(degree, std::min({most, most_poles, m_problem.max_poles}), m_best ? &m_best->knots : nullptr);
+    }
+
+    bool search(int degree, int most_poles, const KnotVector *start)
+    {
+        DegreeSearch search(m_problem, m_data, degree, most_poles, start);
         const std::optional<Trial> trial = search.run();
         if (!trial)
-            continue;
-        part_left = std::min(part_left, search.part_left());
-        if (trial->knots.pole_count() < fewest)
-            best = KnotChoice{trial->knots, trial->error};
+            return false;
+        m_part_left = std::min(m_part_left, search.part_left());
+        if (!m_best || trial->knots.pole_count() < m_best->knots.pole_count())
+            m_best = KnotChoice{trial->knots, trial->error};
+        return true;
     }
-    return best;
+
+    const KnotProblem &m_problem;
+    SampledData m_data;
+    std::optional<KnotChoice> m_best;
+    double m_part_left = 1.0;
+};
+
+} // namespace
+
+std::optional<KnotChoice> choose_knots(const KnotProblem &problem)
+{
+    DegreeChoice choice(problem);
+    return problem.start ? choice.run_from(*problem.start) : choice.run();
 }
 
 std::vector<double> chebyshev_parameters(const std::vector<double> &breaks, int count)

@@ -34,6 +34,8 @@ struct KnotProblem
     //! Where given, the chosen space holds the splines of `required_degree` over these interior knots.
     std::vector<Knot> required;
     int required_degree = 1;
+    //! Where given, the search stays at its degree and starts from it: what a looser tolerance has led to.
+    const KnotVector *start = nullptr;
     double tolerance = 1e-3; //!< longest admissible point error
     int min_degree = 1;
     int max_degree = 7;

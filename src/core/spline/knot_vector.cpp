@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "knot_vector.h"
 
+#include "vector_kernels.h"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -153,6 +155,11 @@ void SpanBasis::values_of_degree(int q, double u, double *values) const
         }
         values[j] = saved;
     }
+}
+
+void SpanBasis::lane_values(int q, const double *u, double *rows) const
+{
+    span_basis(m_t, m_inverses.data(), q, u, rows);
 }
 
 void basis_values(const KnotVector &kv, int span, double u, double *values)

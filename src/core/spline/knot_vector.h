@@ -66,6 +66,9 @@ public:
     //! The q + 1 functions of degree q <= p that do not vanish on the span, at u.
     void values_of_degree(int q, double u, double *values) const;
 
+    //! The same at `lanes` parameters at once (vector_kernels.h), a row of them each.
+    void lane_values(int q, const double *u, double *rows) const;
+
     [[nodiscard]] const double *t() const { return m_t; }
 
 private:

@@ -74,4 +74,90 @@ void subtract_combination(const double *__restrict factors, int rows, const doub
             to[k] -= factors[i] * from[k];
 }
 
+static_assert(lanes == 2 * sizeof(Four) / sizeof(double));
+
+LAMINATE_OFFSET_VECTORISED
+void span_basis(const double *t, const double *inverses, int q, const double *__restrict u, double *__restrict rows)
+{
+    const Four low = *reinterpret_cast<const Four *>(u);
+    const Four high = *reinterpret_cast<const Four *>(u + 4);
+    auto *row = reinterpret_cast<Four *>(rows);
+    row[0] = row[1] = Four{1.0, 1.0, 1.0, 1.0};
+    for (int j = 1; j <= q; ++j)
+    {
+        Four saved_low{}, saved_high{};
+        for (int r = 0; r < j; ++r)
+        {
+            const double inverse = *inverses++;
+            const Four part_low = row[2 * r] * inverse;
+            const Four part_high = row[2 * r + 1] * inverse;
+            row[2 * r] = saved_low + (t[r + 1] - low) * part_low;
+            row[2 * r + 1] = saved_high + (t[r + 1] - high) * part_high;
+            saved_low = (low - t[1 - j + r]) * part_low;
+            saved_high = (high - t[1 - j + r]) * part_high;
+        }
+        row[2 * j] = saved_low;
+        row[2 * j + 1] = saved_high;
+    }
+}
+
+// Horner's scheme in s with the powers of 1 - s collected on the way.
+LAMINATE_OFFSET_VECTORISED
+void bernstein_sum(const double *coefficients, int degree, const double *__restrict s, double *__restrict rows)
+{
+    for (int half = 0; half < lanes; half += 4)
+    {
+        const Four t = *reinterpret_cast<const Four *>(s + half);
+        const Four rest = 1.0 - t;
+        Four power{1.0, 1.0, 1.0, 1.0};
+        const double *last = coefficients + 4 * degree;
+        Four x = last[0] * power, y = last[1] * power, z = last[2] * power, w = last[3] * power;
+        for (int i = degree - 1; i >= 0; --i)
+        {
+            const double *c = coefficients + 4 * i;
+            power *= rest;
+            x = x * t + c[0] * power;
+            y = y * t + c[1] * power;
+            z = z * t + c[2] * power;
+            w = w * t + c[3] * power;
+        }
+        *reinterpret_cast<Four *>(rows + half) = x;
+        *reinterpret_cast<Four *>(rows + lanes + half) = y;
+        *reinterpret_cast<Four *>(rows + 2 * lanes + half) = z;
+        *reinterpret_cast<Four *>(rows + 3 * lanes + half) = w;
+    }
+}
+
+LAMINATE_OFFSET_VECTORISED
+void tensor_sum(const double *poles, int step, int p, int q, const double *__restrict basis_u,
+                const double *__restrict basis_v, double *__restrict rows)
+{
+    for (int half = 0; half < lanes; half += 4)
+    {
+        Four x{}, y{}, z{}, w{};
+        for (int i = 0; i <= p; ++i)
+        {
+            Four along_x{}, along_y{}, along_z{}, along_w{};
+            const double *pole = poles + i * step;
+            for (int j = 0; j <= q; ++j, pole += 4)
+            {
+                const Four b = *reinterpret_cast<const Four *>(basis_v + j * lanes + half);
+                along_x += pole[0] * b;
+                along_y += pole[1] * b;
+                along_z += pole[2] * b;
+                along_w += pole[3] * b;
+            }
+            const Four b = *reinterpret_cast<const Four *>(basis_u + i * lanes + half);
+            x += along_x * b;
+            y += along_y * b;
+            z += along_z * b;
+            w += along_w * b;
+        }
+        *reinterpret_cast<Four *>(rows + half) = x;
+        *reinterpret_cast<Four *>(rows + lanes + half) = y;
+        *reinterpret_cast<Four *>(rows + 2 * lanes + half) = z;
+        *reinterpret_cast<Four *>(rows + 3 * lanes + half) = w;
+    }
+}
+
 } // namespace laminate_offset

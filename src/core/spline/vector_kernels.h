@@ -24,4 +24,18 @@ void add_outer_product(const double *factors, int rows, const double *from, doub
 //! to -= the sum of factors[i] * (row i of `from`) over `rows` rows.
 void subtract_combination(const double *factors, int rows, const double *from, double *to, int count);
 
+//! Parameters that the functions below take at once. What belongs to them lies in rows of `lanes` numbers.
+inline constexpr int lanes = 8;
+
+//! Rows 0 to q: the basis functions on one span of knots (SpanBasis) at the parameters u.
+void span_basis(const double *t, const double *inverses, int q, const double *u, double *rows);
+
+//! Rows x, y, z, w: the sum of s^i (1 - s)^(degree - i) times coefficient i of four numbers.
+void bernstein_sum(const double *coefficients, int degree, const double *s, double *rows);
+
+//! Rows x, y, z, w: the sum of basis_u[i] basis_v[j] times pole (i, j) of four numbers, i up to p and j up to q; poles of
+//! one i follow each other, the next i is `step` numbers away.
+void tensor_sum(const double *poles, int step, int p, int q, const double *basis_u, const double *basis_v,
+                double *rows);
+
 } // namespace laminate_offset

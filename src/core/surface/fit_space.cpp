@@ -101,7 +101,7 @@ Choices choose_both(KnotProblem along_u, KnotProblem along_v, int most_poles)
 } // namespace
 
 std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, const OffsetOptions &options,
-                                     int most_poles)
+                                     int most_poles, const FitSpace *start)
 {
     const BaseSurface &base = sampler.base();
     const ParameterBox &box = base.box();
@@ -119,6 +119,8 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
     along_v.high = box.vmax;
     along_v.breaks = data_breaks(base.breaks_v());
     along_v.sample = [&](const std::vector<double> &vs) { return sampler.joined_rows(rows_u, vs, true); };
+    along_u.start = start ? &start->u : nullptr;
+    along_v.start = start ? &start->v : nullptr;
     if (sampler.denominator() == Denominator::BaseWeight)
         fit_over_weight(*base.spline(), along_u, along_v);
     const auto [u, v] = most_poles < std::numeric_limits<int>::max() ? choose_both(along_u, along_v, most_poles)

@@ -147,11 +147,12 @@ public:
         for (const double distance : m_request.distances)
             left = std::min(left, m_request.tolerance - m_base.model_error().of_offset(distance));
         double share = first_direction_share;
+        std::optional<FitSpace> space_before;
         for (int round = 0; left > 0.0 && round < most_rounds; ++round)
         {
             if (cancelled(round, 0.0))
                 return cancellation();
-            const std::optional<FitSpace> space = choose(share * left, round == 0);
+            std::optional<FitSpace> space = choose(share * left, space_before);
             if (m_plain.singular())
                 return singular_refusal();
             if (!space)
@@ -175,6 +176,7 @@ public:
             if (extra >= m_request.tolerance) // a closer fit would not help
                 break;
             share *= std::clamp(0.9 * m_request.tolerance / worst.error, 0.3, 0.8);
+            space_before = std::move(space);
         }
         return unreached();
     }
@@ -204,10 +206,15 @@ private:
     }
 
     //! A rational base over its own weight function, and over one if that takes no more poles; what wins is kept to.
-    std::optional<FitSpace> choose(double tolerance, bool first)
+    //! \param before the space of the round before, which was not close enough.
+    std::optional<FitSpace> choose(double tolerance, const std::optional<FitSpace> &before)
     {
-        if (!first)
-            return choose_space(*m_sampler, tolerance, m_options);
+        if (before)
+        {
+            constexpr int any = std::numeric_limits<int>::max();
+            std::optional<FitSpace> closer = choose_space(*m_sampler, tolerance, m_options, any, &*before);
+            return closer ? closer : choose_space(*m_sampler, tolerance, m_options);
+        }
         m_sampler = &m_plain;
         if (!m_rational)
             return choose_space(m_plain, tolerance, m_options);

@@ -3,6 +3,7 @@
 
 #include "../spline/bernstein.h"
 #include "../spline/geom_values.h"
+#include "../spline/vector_kernels.h"
 
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -151,9 +152,9 @@ void CurvePiece::prepare_spline()
     const int width = m_degree + 1;
     Eigen::Vector3d size = Eigen::Vector3d::Zero();
     double least_weight = infinity;
+    fill_coefficients();
     for (int i = 0; i < width; ++i)
     {
-        m_coefficients[static_cast<std::size_t>(i)] = blossom_at(i);
         m_scaled[static_cast<std::size_t>(i)] = binomial(m_degree, i) * m_coefficients[static_cast<std::size_t>(i)];
         const Eigen::Vector4d &pole = m_curve->m_poles[static_cast<std::size_t>(m_span - m_degree + i)];
         size = size.cwiseMax(pole.head<3>().cwiseAbs());
@@ -163,25 +164,29 @@ void CurvePiece::prepare_spline()
     m_rounding = operations * epsilon * (m_curve->m_rational ? 2.0 / least_weight : 1.0) * size;
 }
 
-//! Bernstein coefficient i: the blossom with a repeated degree - i times and b repeated i times (de Boor).
-Eigen::Vector4d CurvePiece::blossom_at(int i) const
+//! Bernstein coefficient i is the blossom with a repeated degree - i times and b repeated i times. De Boor's algorithm at
+//! a leaves the blossoms with a repeated degree - i times and the i knots after the span; the same at b on those leaves
+//! the coefficients.
+void CurvePiece::fill_coefficients()
 {
     const int p = m_degree;
     const double *t = m_curve->m_knots.knots.data() + m_span;
-    const Eigen::Vector4d *poles = m_curve->m_poles.data() + (m_span - p);
-    std::array<Eigen::Vector4d, max_spline_degree + 1> points;
-    std::copy(poles, poles + p + 1, points.begin());
+    auto &c = m_coefficients;
+    std::copy_n(m_curve->m_poles.data() + (m_span - p), p + 1, c.begin());
     for (int r = 1; r <= p; ++r)
-    {
-        const double x = r <= p - i ? m_a : m_b;
+        for (int k = 0; k <= p - r; ++k)
+        {
+            const double s = (m_a - t[k + r - p]) / (t[k + 1] - t[k + r - p]);
+            const auto i = static_cast<std::size_t>(k);
+            c[i] = (1.0 - s) * c[i] + s * c[i + 1];
+        }
+    for (int r = 1; r <= p; ++r)
         for (int k = p; k >= r; --k)
         {
-            const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
-            points[static_cast<std::size_t>(k)] =
-                (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * points[static_cast<std::size_t>(k)];
+            const double s = (m_b - m_a) / (t[k + 1 - r] - m_a);
+            const auto i = static_cast<std::size_t>(k);
+            c[i] = (1.0 - s) * c[i - 1] + s * c[i];
         }
-    }
-    return points[static_cast<std::size_t>(p)];
 }
 
 void CurvePiece::prepare_power()
@@ -222,6 +227,27 @@ Eigen::Vector3d CurvePiece::value(double t) const
         power *= s;
     }
     return m_curve->m_rational ? Eigen::Vector3d(sum.head<3>() / sum.w()) : Eigen::Vector3d(sum.head<3>());
+}
+
+void CurvePiece::lane_values(const double *t, double *rows) const
+{
+    if (m_curve->m_kind != AnalyticCurve::Kind::Spline)
+    {
+        for (int k = 0; k < lanes; ++k)
+            Eigen::Map<Eigen::Vector3d, 0, Eigen::InnerStride<lanes>>(rows + k) = m_curve->value_on(m_span, t[k]);
+        return;
+    }
+    using Row = Eigen::Map<Eigen::Array<double, 1, lanes>>;
+    std::array<double, lanes> s;
+    for (std::size_t k = 0; k < s.size(); ++k)
+        s[k] = (t[k] - m_a) / (m_b - m_a);
+    std::array<double, 4 * lanes> sums;
+    bernstein_sum(m_scaled.front().data(), m_degree, s.data(), sums.data());
+    for (int e = 0; e < 3; ++e)
+        if (m_curve->m_rational)
+            Row(rows + e * lanes) = Row(sums.data() + e * lanes) / Row(sums.data() + 3 * lanes);
+        else
+            Row(rows + e * lanes) = Row(sums.data() + e * lanes);
 }
 
 CurveReach CurvePiece::conic_reach(double rho) const

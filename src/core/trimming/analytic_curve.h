@@ -47,6 +47,9 @@ public:
     //! The function that the curve is here; t may lie a little outside.
     [[nodiscard]] Eigen::Vector3d value(double t) const;
 
+    //! The same at `lanes` parameters at once (vector_kernels.h); rows x, y, z.
+    void lane_values(const double *t, double *rows) const;
+
     //! How far the curve strays for parameters inside the ellipse; rho = 1 is the interval itself.
     [[nodiscard]] CurveReach reach(double rho) const;
 
@@ -59,7 +62,7 @@ public:
 private:
     void prepare_spline();
     void prepare_power();
-    [[nodiscard]] Eigen::Vector4d blossom_at(int i) const;
+    void fill_coefficients();
     void prepare_conic();
     [[nodiscard]] CurveReach conic_reach(double rho) const;
 

@@ -2,6 +2,7 @@
 #include "analytic_surface.h"
 
 #include "../spline/geom_values.h"
+#include "../spline/vector_kernels.h"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -193,6 +194,31 @@ Eigen::Vector3d AnalyticSurface::OnCell::value(double u, double v) const
     m_u.values_of_degree(m_surface.m_spline.u.degree, u, basis_u.data());
     m_v.values_of_degree(m_surface.m_spline.v.degree, v, basis_v.data());
     return m_surface.without_weight(m_surface.combined(basis_u.data(), basis_v.data(), m_cell));
+}
+
+void AnalyticSurface::OnCell::lane_values(const double *u, const double *v, double *rows) const
+{
+    if (m_surface.m_kind != Kind::Spline)
+    {
+        for (int k = 0; k < lanes; ++k)
+            Eigen::Map<Eigen::Vector3d, 0, Eigen::InnerStride<lanes>>(rows + k) = m_surface.value(u[k], v[k], m_cell);
+        return;
+    }
+    using Row = Eigen::Map<Eigen::Array<double, 1, lanes>>;
+    using LaneBasis = std::array<double, lanes *(max_spline_degree + 1)>;
+    const TensorSpline &spline = m_surface.m_spline;
+    LaneBasis basis_u, basis_v;
+    m_u.lane_values(spline.u.degree, u, basis_u.data());
+    m_v.lane_values(spline.v.degree, v, basis_v.data());
+    const Eigen::Vector4d &first = spline.pole(m_cell.span_u - spline.u.degree, m_cell.span_v - spline.v.degree);
+    std::array<double, 4 * lanes> sums;
+    tensor_sum(first.data(), 4 * spline.v.pole_count(), spline.u.degree, spline.v.degree, basis_u.data(),
+               basis_v.data(), sums.data());
+    for (int e = 0; e < 3; ++e)
+        if (spline.rational)
+            Row(rows + e * lanes) = Row(sums.data() + e * lanes) / Row(sums.data() + 3 * lanes);
+        else
+            Row(rows + e * lanes) = Row(sums.data() + e * lanes);
 }
 
 Eigen::Vector3d AnalyticSurface::value(double u, double v, const Cell &cell) const

@@ -53,6 +53,8 @@ public:
     public:
         OnCell(const AnalyticSurface &surface, const Cell &cell);
         [[nodiscard]] Eigen::Vector3d value(double u, double v) const;
+        //! At `lanes` parameters at once (vector_kernels.h); rows x, y, z.
+        void lane_values(const double *u, const double *v, double *rows) const;
 
     private:
         const AnalyticSurface &m_surface;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "edge_certificate.h"
 
+#include "../spline/vector_kernels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,16 +186,23 @@ private:
 
     [[nodiscard]] double bound(const Interval &here, const Approximation &approximation) const
     {
-        const int points = points_per_degree * approximation.degree + 1;
+        const int groups = points_per_degree * approximation.degree / lanes + 1;
+        const int points = groups * lanes;
         const double middle = 0.5 * (here.pcurve.a() + here.pcurve.b());
         const double half = 0.5 * (here.pcurve.b() - here.pcurve.a());
         const AnalyticSurface::OnCell surface(m_proof.surface, here.cell);
+        using Rows = Eigen::Array<double, lanes, 3>;
+        Rows uv, in_space, on_surface;
+        Eigen::Array<double, lanes, 1> t;
         double square = 0.0;
-        for (int k = 0; k < points; ++k)
+        for (int group = 0; group < groups; ++group)
         {
-            const double t = middle + half * std::cos(M_PI * (k + 0.5) / points);
-            const Eigen::Vector3d uv = here.pcurve.value(t);
-            square = std::max(square, (here.curve.value(t) - surface.value(uv.x(), uv.y())).squaredNorm());
+            for (int k = 0; k < lanes; ++k)
+                t[k] = middle + half * std::cos(M_PI * (group * lanes + k + 0.5) / points);
+            here.pcurve.lane_values(t.data(), uv.data());
+            here.curve.lane_values(t.data(), in_space.data());
+            surface.lane_values(uv.data(), uv.data() + lanes, on_surface.data());
+            square = std::max(square, (in_space - on_surface).square().rowwise().sum().maxCoeff());
         }
         const Eigen::Vector3d &slack = here.pcurve.rounding();
         const double uv_rounding = here.speed[0] * slack.x() + here.speed[1] * slack.y();

@@ -301,6 +301,9 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
     if (!joins.empty())
         if (auto joined = smooth_curve(target, problem, ends, joins, origin, tolerance))
             return joined;
+    if (joins.size() < problem.breaks.size()) // noise in a pcurve shows in the higher derivatives at its knots
+        if (auto joined = smooth_curve(target, problem, ends, problem.breaks, origin, tolerance))
+            return joined;
     return kinked_curve(target, problem, ends, origin, tolerance);
 }
 

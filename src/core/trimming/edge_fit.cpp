@@ -19,6 +19,8 @@ constexpr int most_fits = 9;
 // Samples beyond the degree in every span, and at least in every interval between breaks.
 constexpr int spare_samples = 3;
 constexpr int samples_per_interval = 2;
+// Of a curve with breaks, samples that serve many fits: their evaluation costs more than a fit.
+constexpr int common_samples_per_interval = 3;
 // Counts move by the error's law and a little more, or by this factor at most; below the last one they are not worth
 // another fit.
 constexpr double cautious = 1.02;
@@ -37,25 +39,61 @@ struct Sampled
     Eigen::VectorXd off;
 };
 
-std::optional<Sampled> fit_over(const SmoothCurve &curve, KnotVector knots)
+//! Samples of a curve at some parameters.
+struct Samples
 {
-    Sampled result;
-    result.parameters = span_parameters(knots, curve.breaks, knots.degree + 1 + spare_samples, samples_per_interval);
-    const auto solver = LeastSquaresFit::make(knots, result.parameters);
+    std::vector<double> parameters;
+    RowMatrix points;
+
+    //! Does every span of the knots hold enough of them?
+    [[nodiscard]] bool serve(const KnotVector &knots) const
+    {
+        const std::vector<double> ends = knots.breaks();
+        auto from = parameters.begin();
+        for (std::size_t i = 1; i < ends.size(); ++i)
+        {
+            const auto to = std::lower_bound(from, parameters.end(), ends[i]);
+            if (to - from < knots.degree + 1 + spare_samples)
+                return false;
+            from = to;
+        }
+        return !parameters.empty();
+    }
+};
+
+std::optional<Sampled> fit_over(Samples samples, KnotVector knots)
+{
+    const auto solver = LeastSquaresFit::make(knots, samples.parameters);
     if (!solver)
         return std::nullopt;
-    const RowMatrix samples = curve.sample(result.parameters);
+    Sampled result;
     result.fit.knots = std::move(knots);
-    result.fit.poles = solver->solve(samples);
-    result.off = solver->residual(result.fit.poles, samples).rowwise().norm();
+    result.fit.poles = solver->solve(samples.points);
+    result.off = solver->residual(result.fit.poles, samples.points).rowwise().norm();
     result.fit.error = result.off.maxCoeff();
+    result.parameters = std::move(samples.parameters);
     return result;
+}
+
+//! Samples dense in the spans of the knots and between breaks.
+Samples dense_samples(const SmoothCurve &curve, const KnotVector &knots)
+{
+    Samples samples;
+    samples.parameters = span_parameters(knots, curve.breaks, knots.degree + 1 + spare_samples, samples_per_interval);
+    samples.points = curve.sample(samples.parameters);
+    return samples;
 }
 
 class SmoothFitter
 {
 public:
-    SmoothFitter(const SmoothCurve &curve, double tolerance) : m_curve(curve), m_tolerance(tolerance) {}
+    SmoothFitter(const SmoothCurve &curve, double tolerance) : m_curve(curve), m_tolerance(tolerance)
+    {
+        if (curve.breaks.size() <= 2)
+            return;
+        m_common.parameters = chebyshev_parameters(curve.breaks, common_samples_per_interval);
+        m_common.points = curve.sample(m_common.parameters);
+    }
 
     std::optional<CurveFit> run()
     {
@@ -72,8 +110,9 @@ public:
 private:
     [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior) const
     {
-        std::optional<Sampled> made =
-            fit_over(m_curve, clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior));
+        KnotVector knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
+        Samples samples = m_common.serve(knots) ? m_common : dense_samples(m_curve, knots);
+        std::optional<Sampled> made = fit_over(std::move(samples), std::move(knots));
         return made ? std::optional<CurveFit>(std::move(made->fit)) : std::nullopt;
     }
 
@@ -180,14 +219,27 @@ private:
 
     const SmoothCurve &m_curve;
     double m_tolerance;
+    Samples m_common;
 };
 
-constexpr int joined_degree = 5;
 constexpr int most_joined_poles = 2000;
 constexpr double fastest_split = 4.0;
 
+//! The degree at which the smoothest joins are simple knots: where all are smooth, a higher one would bring poles only.
+int joined_degree(const std::vector<DataBreak> &joins)
+{
+    int degree = lowest_degree;
+    bool rough = false;
+    for (const DataBreak &join : joins)
+    {
+        degree = std::max(degree, join.continuity + 1);
+        rough = rough || join.continuity < lowest_degree - 1;
+    }
+    return rough ? highest_degree : std::min(degree, highest_degree);
+}
+
 //! The space with so many even spans in each interval between joins.
-KnotVector joined_knots(const std::vector<double> &ends, const std::vector<DataBreak> &joins,
+KnotVector joined_knots(int degree, const std::vector<double> &ends, const std::vector<DataBreak> &joins,
                         const std::vector<int> &spans)
 {
     std::vector<double> interior;
@@ -196,21 +248,21 @@ KnotVector joined_knots(const std::vector<double> &ends, const std::vector<DataB
         for (int k = 1; k < spans[i]; ++k)
             interior.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / spans[i]);
         if (i < joins.size())
-            interior.insert(interior.end(), static_cast<std::size_t>(joined_degree - joins[i].continuity),
+            interior.insert(interior.end(), static_cast<std::size_t>(std::max(0, degree - joins[i].continuity)),
                             joins[i].parameter);
     }
-    return clamped_knots(joined_degree, ends.front(), ends.back(), interior);
+    return clamped_knots(degree, ends.front(), ends.back(), interior);
 }
 
 //! Gives every interval that misses the tolerance more spans, by the law of its error. False where none does.
-bool split_further(const std::vector<double> &errors, double tolerance, std::vector<int> &spans)
+bool split_further(const std::vector<double> &errors, double tolerance, int degree, std::vector<int> &spans)
 {
     bool split = false;
     for (std::size_t i = 0; i < spans.size(); ++i)
     {
         if (errors[i] <= tolerance)
             continue;
-        const double law = std::pow(errors[i] / tolerance, 1.0 / (joined_degree + 1));
+        const double law = std::pow(errors[i] / tolerance, 1.0 / (degree + 1));
         const double wanted = std::min(cautious * law, fastest_split) * spans[i];
         spans[i] = std::max(spans[i] + 1, static_cast<int>(std::ceil(wanted)));
         split = true;
@@ -231,13 +283,14 @@ std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<D
     for (const DataBreak &join : joins)
         ends.push_back(join.parameter);
     ends.push_back(curve.breaks.back());
+    const int degree = joined_degree(joins);
     std::vector<int> spans(ends.size() - 1, 1);
     for (int i = 0; i < most_fits; ++i)
     {
-        KnotVector knots = joined_knots(ends, joins, spans);
+        KnotVector knots = joined_knots(degree, ends, joins, spans);
         if (knots.pole_count() > most_joined_poles)
             return std::nullopt;
-        std::optional<Sampled> made = fit_over(curve, std::move(knots));
+        std::optional<Sampled> made = fit_over(dense_samples(curve, knots), knots);
         if (!made)
             return std::nullopt;
         std::vector<double> errors(spans.size(), 0.0);
@@ -248,7 +301,7 @@ std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<D
                 ++interval;
             errors[interval] = std::max(errors[interval], made->off[static_cast<Eigen::Index>(k)]);
         }
-        if (!split_further(errors, tolerance, spans))
+        if (!split_further(errors, tolerance, degree, spans))
             return std::move(made->fit);
     }
     return std::nullopt;

@@ -37,10 +37,10 @@ struct CurveFit
 //! \return nothing where the tolerance is not reached soon: the curve is not smooth enough to be fitted like this.
 std::optional<CurveFit> smooth_fit(const SmoothCurve &curve, double tolerance);
 
-//! For a curve that is smooth between joins, where only its first derivative or not even that goes on. Joins get the
-//! multiplicity that they need, and every interval between them as many even spans as its own error asks for.
-//! Degree 5, ends interpolated.
-//! \param joins interior, increasing, of continuity below 4.
+//! For a curve that is smooth between joins, where only some derivatives or none go on. Joins get the multiplicity that
+//! they need, and every interval between them as many even spans as its own error asks for.
+//! Degree 5, or as low as 3 where all joins are twice differentiable; ends interpolated.
+//! \param joins interior, increasing.
 //! \return nothing where the tolerance is not reached soon.
 std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<DataBreak> &joins, double tolerance);
 
