@@ -228,6 +228,42 @@ TEST(LightModel, ErrorHoldsForSkewedSurfacesWithNeedlessKnotsAndNoise)
     EXPECT_GE(models, 10);
 }
 
+//! Flat facets between a grid of points: rows of them flat but for noise, the others a little bent.
+TensorSpline facets(double size, int poles, double bend, double noise, RandomCases &random)
+{
+    TensorSpline result;
+    std::vector<double> interior;
+    for (int i = 1; i + 1 < poles; ++i)
+        interior.push_back(static_cast<double>(i) / (poles - 1));
+    result.u = clamped_knots(1, 0.0, 1.0, interior);
+    result.v = result.u;
+    for (int i = 0; i < poles; ++i)
+        for (int j = 0; j < poles; ++j)
+        {
+            const double x = static_cast<double>(i) / (poles - 1);
+            const double y = static_cast<double>(j) / (poles - 1);
+            result.poles.emplace_back(size * x + noise * random.uniform(-1, 1), 0.3 * size * x + 0.7 * size * y,
+                                      size * bend * x * y + noise * random.uniform(-1, 1), 1.0);
+        }
+    return result;
+}
+
+TEST(LightModel, OfFlatFacetsIsOneOfFew)
+{
+    RandomCases random;
+    for (const double size : {1.0, 500.0, 1e5})
+        for (const double bend : {0.0, 0.2})
+            for (const double noise : {0.0, 1e-12, 1e-9})
+            {
+                SCOPED_TRACE(::testing::Message() << "size " << size << " bend " << bend << " noise " << noise);
+                const TensorSpline base = facets(size, 31, bend, noise * size, random);
+                const std::optional<LightModel> model = light_model(base, 0.01 * size, 1e-4 * size);
+                ASSERT_TRUE(model);
+                EXPECT_LE(model->spline.u.pole_count() * model->spline.v.pole_count(), 4);
+                expect_within(differences(base, model->spline), model->error);
+            }
+}
+
 TEST(LightModel, LeavesSmallAndSingularBasesAlone)
 {
     EXPECT_FALSE(light_model(panel(500.0, 8), 5.0, 1e-1));

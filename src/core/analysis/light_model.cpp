@@ -68,11 +68,13 @@ public:
     //! The differences of the poles of a derivative of this order times these are the poles of the next one.
     [[nodiscard]] const Eigen::ArrayXd &factors(int order) const { return m_factors[static_cast<std::size_t>(order)]; }
 
-    //! Poles of the derivative of this order whose basis functions do not vanish on a block.
+    //! Poles of the derivative of this order whose basis functions do not vanish on a block. Above the degree all are 0,
+    //! and any will do.
     [[nodiscard]] IndexRange active(Eigen::Index block, int order) const
     {
         const IndexRange &range = m_ranges[static_cast<std::size_t>(block)];
-        return {range.first, range.last - order};
+        const Eigen::Index first = std::min(range.first, m_poles - order - 1);
+        return {first, std::max(first, range.last - order)};
     }
 
 private:
@@ -414,7 +416,9 @@ private:
 std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance)
 {
     const std::size_t spans = (base.u.breaks().size() - 1) * (base.v.breaks().size() - 1);
-    if (base.rational || spans < least_spans || base.u.degree < 2 || base.v.degree < 2)
+    constexpr int second_derivative = 2;
+    const bool too_few = std::min(base.u.pole_count(), base.v.pole_count()) <= second_derivative;
+    if (base.rational || spans < least_spans || too_few)
         return std::nullopt;
     ModelSearch search(base, distance);
     for (const double share : tolerance_shares)

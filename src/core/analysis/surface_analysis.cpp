@@ -94,19 +94,29 @@ Result<bool> check_base_distance(SurfaceAnalysis &analysis, const InputFace &inp
                       input, limit.uv);
 }
 
-} // namespace
+SurfaceAnalysis unchecked(const InputFace &input, double distance, double tolerance)
+{
+    return {base_beside_creases(input, {farther_distance(input, distance), tolerance}), LoopRegion(input), std::nullopt,
+            std::nullopt};
+}
 
-Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
+//! The normals of a light model stand for the base's: they differ by far less than a crease.
+Result<SurfaceAnalysis> checked(SurfaceAnalysis analysis, const InputFace &input, double distance, double tolerance)
 {
     const double farther = farther_distance(input, distance);
-    SurfaceAnalysis analysis{base_beside_creases(input, {farther, tolerance}), LoopRegion(input), std::nullopt,
-                             std::nullopt};
     const std::vector<CreaseLine> creases = find_creases(analysis.base, analysis.region, farther, tolerance);
     if (!creases.empty())
         return creased_refusal(input, creases);
     if (const auto regular = check_base_distance(analysis, input); !regular)
         return regular.failure();
     return analysis;
+}
+
+} // namespace
+
+Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
+{
+    return checked(unchecked(input, distance, tolerance), input, distance, tolerance);
 }
 
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap)
@@ -125,14 +135,13 @@ void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double dista
 
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
 {
-    Result<SurfaceAnalysis> analysis = read_base(input, distance, tolerance);
-    if (!analysis)
-        return analysis;
-    BaseSurface &base = analysis.value().base;
-    if (base.spline() && !base.strip()) // the models of swept surfaces are light
-        if (std::optional<LightModel> light = light_model(*base.spline(), distance, tolerance))
-            base.adopt_model(std::move(light->spline), light->error);
-    find_limits(analysis.value(), input, distance, refusal_gap);
+    SurfaceAnalysis start = unchecked(input, distance, tolerance);
+    if (start.base.spline() && !start.base.strip()) // the models of swept surfaces are light
+        if (std::optional<LightModel> light = light_model(*start.base.spline(), distance, tolerance))
+            start.base.adopt_model(std::move(light->spline), light->error);
+    Result<SurfaceAnalysis> analysis = checked(std::move(start), input, distance, tolerance);
+    if (analysis)
+        find_limits(analysis.value(), input, distance, refusal_gap);
     return analysis;
 }
 

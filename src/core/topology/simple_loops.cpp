@@ -8,6 +8,8 @@
 #include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -35,8 +37,10 @@ constexpr int most_comparisons = 20000;
 // A loop of fewer pieces has two that meet at both their ends.
 constexpr std::size_t least_pieces = 3;
 constexpr int area_rounds = 6;
-// A step of the surface's parameters counts this much more than its speed at the place says.
+// A step of the surface's parameters counts this much more than its speed at the place says: steps along both parameters
+// may add up, by sqrt(2), and speeds change beside the place, but on a plane.
 constexpr double cautious_speed = 2.0;
+constexpr double plane_speed = 1.42;
 // Of control points that were cut some dozen times, as a part of the largest coordinate.
 constexpr double rounding = 1e-12;
 
@@ -364,7 +368,7 @@ class LoopReader
 public:
     explicit LoopReader(const TopoDS_Face &face)
         : m_face(TopoDS::Face(face.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD))),
-          m_surface(BRep_Tool::Surface(m_face))
+          m_surface(BRep_Tool::Surface(m_face)), m_caution(is_affine(m_surface) ? plane_speed : cautious_speed)
     {
     }
 
@@ -402,6 +406,22 @@ private:
         TopoDS_Vertex last;
         Eigen::Vector2d speed; //!< of the surface at the start
     };
+
+    //! Is the surface an affine map of its parameters, up to rounding?
+    static bool is_affine(const Handle(Geom_Surface) & surface)
+    {
+        if (!Handle(Geom_Plane)::DownCast(surface).IsNull())
+            return true;
+        const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+        if (spline.IsNull() || spline->NbUPoles() != 2 || spline->NbVPoles() != 2 || spline->IsURational() ||
+            spline->IsVRational())
+            return false;
+        const gp_XYZ a = spline->Pole(2, 1).XYZ() - spline->Pole(1, 1).XYZ();
+        const gp_XYZ b = spline->Pole(1, 2).XYZ() - spline->Pole(1, 1).XYZ();
+        const gp_XYZ twist = spline->Pole(2, 2).XYZ() - spline->Pole(1, 1).XYZ() - a - b;
+        constexpr double least_twist = 1e-4; // of a side: far less than plane_speed leaves
+        return twist.Modulus() <= least_twist * std::min(a.Modulus(), b.Modulus());
+    }
 
     bool read_wire(const TopoDS_Shape &wire, std::vector<PlainEdge> &edges)
     {
@@ -479,12 +499,12 @@ private:
         return true;
     }
 
-    static Loop scaled(const std::vector<PlainEdge> &edges, const Eigen::Vector2d &scale)
+    [[nodiscard]] Loop scaled(const std::vector<PlainEdge> &edges, const Eigen::Vector2d &scale) const
     {
         Loop loop;
         for (const PlainEdge &edge : edges)
         {
-            const double stretch = cautious_speed * edge.speed.cwiseQuotient(scale).maxCoeff();
+            const double stretch = m_caution * edge.speed.cwiseQuotient(scale).maxCoeff();
             double gap = stretch > 0.0 ? BRep_Tool::Tolerance(edge.first) / stretch : 0.0;
             for (ControlPoints piece : edge.pieces)
             {
@@ -500,6 +520,7 @@ private:
 
     const TopoDS_Face m_face;
     const Handle(Geom_Surface) m_surface;
+    const double m_caution;
     Eigen::Vector2d m_speeds = Eigen::Vector2d::Zero(); //!< sum over all edges
     int m_edge_count = 0;
 };
