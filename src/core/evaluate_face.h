@@ -18,7 +18,7 @@ struct FacePoint
 {
     gp_Pnt point;        //!< [mm]
     gp_Vec normal;       //!< outward, of length 1; at a pole its limit
-    bool inside = false; //!< inside the trimming loops; next to a loop the chord of a short piece decides
+    bool inside = false; //!< inside the trimming loops, or on them within 1e-10 of their size in u and v
 };
 
 //! Evaluates the surface of a face, also outside its loops.

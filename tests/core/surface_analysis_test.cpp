@@ -231,39 +231,6 @@ TEST(FeasibleRange, OfAFeasibleDistanceIsProvenThoughNotSharp)
     EXPECT_EQ(compared, 96);
 }
 
-//! The region answers like the parity of crossings over all its pieces, and a rectangle around a point inside is touched.
-TEST(LoopRegion, BandsMissNoCrossing)
-{
-    RandomCases random;
-    const TopoDS_Face face = panel_with_hole();
-    const InputFace input = read_face(face).value();
-    const LoopRegion region(input);
-    int inside = 0;
-    for (int i = 0; i < 4000; ++i)
-    {
-        const ParameterBox &box = input.box;
-        const gp_Pnt2d uv(random.uniform(box.umin, box.umax), random.uniform(box.vmin, box.vmax));
-        bool expected = false;
-        for (const TrimmingLoop &loop : input.loops)
-            for (const TrimmingCurve &curve : loop.curves)
-                for (const PcurvePiece &piece : curve.pieces)
-                    if ((piece.start.Y() > uv.Y()) != (piece.end.Y() > uv.Y()))
-                    {
-                        const double s = (piece.start.Y() - uv.Y()) / (piece.start.Y() - piece.end.Y());
-                        expected ^= piece.start.X() + s * (piece.end.X() - piece.start.X()) > uv.X();
-                    }
-        ASSERT_EQ(region.contains(uv), expected) << uv.X() << ' ' << uv.Y();
-        const double size = 1e-3 * (box.umax - box.umin);
-        if (expected)
-        {
-            EXPECT_TRUE(region.may_touch({uv.X() - size, uv.X() + size, uv.Y() - size, uv.Y() + size}));
-            ++inside;
-        }
-    }
-    EXPECT_GT(inside, 1000);
-    EXPECT_LT(inside, 3999);
-}
-
 TEST(Creases, AKinkIsFoundWhereItIs)
 {
     for (const double degrees : {0.5, 5.0, 60.0, 150.0})

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "loop_region.h"
 
+#include "../spline/arc_crossings.h"
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace laminate_offset
 {
@@ -13,6 +17,8 @@ constexpr double grazing = 1e-10;
 constexpr std::size_t pieces_per_band = 4;
 // Gaps between curves that belong together are narrower, in parts of the loops' box.
 constexpr double widest_gap = 1e-3;
+constexpr double border_share = 1e-10;
+constexpr double rounding = 1e-13;
 
 ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
 {
@@ -26,6 +32,16 @@ ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
     }
     return box;
 }
+
+ControlPoints control_points(const std::vector<gp_XYZ> &arc)
+{
+    ControlPoints points;
+    for (const gp_XYZ &point : arc)
+        points.emplace_back(point.X(), point.Y(), point.Z());
+    return points;
+}
+
+bool same(const gp_Pnt2d &a, const gp_Pnt2d &b) { return a.X() == b.X() && a.Y() == b.Y(); }
 
 //! The ends of a loop's curves, two a curve.
 std::vector<gp_Pnt2d> curve_ends(const TrimmingLoop &loop)
@@ -42,7 +58,10 @@ std::vector<gp_Pnt2d> curve_ends(const TrimmingLoop &loop)
 
 PcurvePiece straight_piece(const gp_Pnt2d &a, const gp_Pnt2d &b)
 {
-    return {a, b, {std::min(a.X(), b.X()), std::max(a.X(), b.X()), std::min(a.Y(), b.Y()), std::max(a.Y(), b.Y())}};
+    return {a,
+            b,
+            {std::min(a.X(), b.X()), std::max(a.X(), b.X()), std::min(a.Y(), b.Y()), std::max(a.Y(), b.Y())},
+            {{{a.X(), a.Y(), 1.0}, {b.X(), b.Y(), 1.0}}}};
 }
 
 //! The pieces that join each end of a loop's curves to the nearest other one: ends that belong together differ by
@@ -75,7 +94,7 @@ LoopRegion::LoopRegion(const InputFace &input)
     for (const TrimmingLoop &loop : input.loops)
         for (const TrimmingCurve &curve : loop.curves)
             if (curve.bounds_face())
-                m_pieces.insert(m_pieces.end(), curve.pieces.begin(), curve.pieces.end());
+                add(curve.pieces);
     m_bounds = bounds_of(m_pieces);
     const double size = std::max(m_bounds.umax - m_bounds.umin, m_bounds.vmax - m_bounds.vmin);
     for (const TrimmingLoop &loop : input.loops)
@@ -83,26 +102,48 @@ LoopRegion::LoopRegion(const InputFace &input)
         const std::vector<PcurvePiece> closing = closing_pieces(loop, widest_gap * size);
         m_pieces.insert(m_pieces.end(), closing.begin(), closing.end());
     }
+    for (PcurvePiece &piece : m_pieces)
+        if (piece.arcs.empty())
+            piece.arcs = straight_piece(piece.start, piece.end).arcs;
+    const auto width = [](double low, double high) {
+        return std::max({border_share * (high - low), rounding * std::max(std::abs(low), std::abs(high)),
+                         std::numeric_limits<double>::min()});
+    };
+    m_border = {width(m_bounds.umin, m_bounds.umax), width(m_bounds.vmin, m_bounds.vmax)};
+    sort_into_bands();
+}
+
+void LoopRegion::add(const std::vector<PcurvePiece> &pieces)
+{
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+    {
+        if (k > 0 && !same(pieces[k - 1].end, pieces[k].start)) // cut up in several goes
+            m_pieces.push_back(straight_piece(pieces[k - 1].end, pieces[k].start));
+        m_pieces.push_back(pieces[k]);
+    }
+}
+
+void LoopRegion::sort_into_bands()
+{
     const std::size_t bands = m_pieces.size() / pieces_per_band + 1;
     m_bands.assign(bands + 1, 0);
-    std::vector<std::vector<std::size_t>> chords(bands);
+    std::vector<std::vector<std::size_t>> pieces(bands);
     for (std::size_t k = 0; k < m_pieces.size(); ++k)
     {
-        const double from = m_pieces[k].start.Y();
-        const double to = m_pieces[k].end.Y();
-        for (std::size_t i = band(std::min(from, to)); i <= band(std::max(from, to)); ++i)
-            chords[i].push_back(k);
+        const ParameterBox &box = m_pieces[k].box;
+        for (std::size_t i = band(box.vmin - 2.0 * m_border.Y()); i <= band(box.vmax + 2.0 * m_border.Y()); ++i)
+            pieces[i].push_back(k);
     }
     for (std::size_t i = 0; i < bands; ++i)
     {
-        m_chords.insert(m_chords.end(), chords[i].begin(), chords[i].end());
-        m_bands[i + 1] = m_chords.size();
+        m_in_bands.insert(m_in_bands.end(), pieces[i].begin(), pieces[i].end());
+        m_bands[i + 1] = m_in_bands.size();
     }
 }
 
 std::size_t LoopRegion::band(double v) const
 {
-    // grows with v, rounding included; no chord that crosses a line v = const is missed in the line's band
+    // grows with v, rounding included; no piece that crosses a line v = const is missed in the line's band
     const double height = m_bounds.vmax - m_bounds.vmin;
     const auto bands = static_cast<double>(m_bands.size() - 1);
     const double place = height > 0.0 ? bands * ((v - m_bounds.vmin) / height) : 0.0;
@@ -112,18 +153,28 @@ std::size_t LoopRegion::band(double v) const
 bool LoopRegion::contains(const gp_Pnt2d &uv) const
 {
     // parity of the crossings of the ray towards larger u
+    const Eigen::Vector2d point(uv.X(), uv.Y());
+    const Eigen::Vector2d width(m_border.X(), m_border.Y());
     bool inside = false;
     const std::size_t own = band(uv.Y());
     for (std::size_t k = m_bands[own]; k < m_bands[own + 1]; ++k)
     {
-        const PcurvePiece &piece = m_pieces[m_chords[k]];
-        const double from = piece.start.Y() - uv.Y();
-        const double to = piece.end.Y() - uv.Y();
-        if ((from > 0.0) == (to > 0.0))
+        const PcurvePiece &piece = m_pieces[m_in_bands[k]];
+        if (uv.Y() < piece.box.vmin - width.y() || uv.Y() > piece.box.vmax + width.y() ||
+            uv.X() > piece.box.umax + width.x())
             continue;
-        const double s = from / (from - to);
-        if (piece.start.X() + s * (piece.end.X() - piece.start.X()) > uv.X())
-            inside = !inside;
+        if (uv.X() < piece.box.umin - width.x())
+        {
+            inside ^= (piece.start.Y() > uv.Y()) != (piece.end.Y() > uv.Y());
+            continue;
+        }
+        for (const std::vector<gp_XYZ> &arc : piece.arcs)
+        {
+            const RayMeeting meeting = meet_ray(control_points(arc), point, width);
+            if (meeting == RayMeeting::OnArc)
+                return true;
+            inside ^= meeting == RayMeeting::Odd;
+        }
     }
     return inside;
 }
@@ -145,14 +196,8 @@ std::vector<double> LoopRegion::crossings(bool constant_u, double value) const
 {
     std::vector<double> places;
     for (const PcurvePiece &piece : m_pieces)
-    {
-        const double from = (constant_u ? piece.start.X() : piece.start.Y()) - value;
-        const double to = (constant_u ? piece.end.X() : piece.end.Y()) - value;
-        if ((from > 0.0) == (to > 0.0))
-            continue;
-        const gp_XY place = piece.start.XY() + from / (from - to) * (piece.end.XY() - piece.start.XY());
-        places.push_back(constant_u ? place.Y() : place.X());
-    }
+        for (const std::vector<gp_XYZ> &arc : piece.arcs)
+            add_crossings(control_points(arc), constant_u ? 0 : 1, value, {m_border.X(), m_border.Y()}, places);
     std::sort(places.begin(), places.end());
     return places;
 }

@@ -11,6 +11,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_XYZ.hxx>
 
 #include <vector>
 
@@ -32,6 +33,9 @@ struct PcurvePiece
     gp_Pnt2d start;
     gp_Pnt2d end;
     ParameterBox box; //!< holds the whole piece
+    //! The exact Bezier arcs of the piece in order, which meet bit for bit with each other, with the neighbouring pieces
+    //! and with `start` and `end`. Empty where the chord is the piece, and for curves that have none (offset curves).
+    std::vector<std::vector<gp_XYZ>> arcs; //!< control points (u, v, 1) times their weight
 };
 
 //! One use of an edge in a trimming loop.

@@ -35,22 +35,10 @@ std::vector<double> piece_ends(double first, double last, int count)
     return ends;
 }
 
-//! False where a weight is not positive.
-bool add_points(const ControlPoints &points, Bnd_Box2d &box)
-{
-    for (const Eigen::Vector3d &point : points)
-    {
-        if (!(point.z() > 0.0))
-            return false;
-        box.Add(gp_Pnt2d(point.x() / point.z(), point.y() / point.z()));
-    }
-    return true;
-}
+using Arcs = std::vector<ControlPoints>;
 
-//! Adds a spline's control points, cut at knots and ends, to the boxes of its pieces. False where the spline goes
-//! round, ends early or has a weight that is not positive.
-bool add_control_points(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends,
-                        std::vector<Bnd_Box2d> &boxes)
+//! Cuts a spline at its knots and the piece ends. False where it goes round or ends early.
+bool cut_spline(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends, std::vector<Arcs> &pieces)
 {
     if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() || ends.back() > curve.LastParameter())
         return false;
@@ -69,33 +57,87 @@ bool add_control_points(const Geom2d_BSplineCurve &curve, const std::vector<doub
             cut_off(rest, (ends.front() - low) / (high - low));
             low = ends.front();
         }
-        for (; piece + 1 < boxes.size() && ends[piece + 1] < high; ++piece)
+        for (; piece + 1 < pieces.size() && ends[piece + 1] < high; ++piece)
         {
-            if (!add_points(cut_off(rest, (ends[piece + 1] - low) / (high - low)), boxes[piece]))
-                return false;
+            pieces[piece].push_back(cut_off(rest, (ends[piece + 1] - low) / (high - low)));
             low = ends[piece + 1];
         }
         if (ends.back() < high)
             rest = cut_off(rest, (ends.back() - low) / (high - low));
-        if (!add_points(rest, boxes[piece]))
-            return false;
-        if (piece + 1 < boxes.size() && ends[piece + 1] == high)
+        pieces[piece].push_back(std::move(rest));
+        if (piece + 1 < pieces.size() && ends[piece + 1] == high)
             ++piece;
     }
     return true;
 }
 
-//! A box for each piece between two ends; void for a straight line.
-std::vector<Bnd_Box2d> piece_boxes(const Geom2dAdaptor_Curve &curve, const std::vector<double> &ends)
+//! Lets every arc start from the last bit of the one before it; what is cut separately may differ by a factor too.
+void join(std::vector<Arcs> &pieces)
 {
-    std::vector<Bnd_Box2d> boxes(ends.size() - 1);
-    if (boxes.size() == 1)
-        return boxes;
-    if (curve.GetType() == GeomAbs_BSplineCurve && add_control_points(*curve.BSpline(), ends, boxes))
-        return boxes;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        BndLib_Add2dCurve::Add(curve, ends[i], ends[i + 1], 0.0, boxes[i]);
-    return boxes;
+    const Eigen::Vector3d *before = nullptr;
+    for (Arcs &arcs : pieces)
+        for (ControlPoints &arc : arcs)
+        {
+            if (before)
+            {
+                const double factor = before->z() / arc.front().z();
+                for (Eigen::Vector3d &point : arc)
+                    point *= factor;
+                arc.front() = *before;
+            }
+            before = &arc.back();
+        }
+}
+
+//! The arcs of each piece; none at all for a straight line and for a curve without exact ones.
+std::vector<Arcs> arcs_of(const Handle(Geom2d_Curve) & pcurve, const Geom2dAdaptor_Curve &curve,
+                          const std::vector<double> &ends)
+{
+    const std::size_t count = ends.size() - 1;
+    std::vector<Arcs> pieces(count);
+    if (count == 1)
+        return pieces;
+    if (curve.GetType() != GeomAbs_BSplineCurve || !cut_spline(*curve.BSpline(), ends, pieces))
+        for (std::size_t i = 0; i < count; ++i)
+            pieces[i] = bezier_pieces(pcurve, ends[i], ends[i + 1]);
+    for (const Arcs &arcs : pieces)
+        if (arcs.empty() || !positive_weights(arcs))
+            return std::vector<Arcs>(count);
+    join(pieces);
+    return pieces;
+}
+
+std::vector<gp_XYZ> plain(const ControlPoints &arc)
+{
+    std::vector<gp_XYZ> result;
+    for (const Eigen::Vector3d &point : arc)
+        result.emplace_back(point.x(), point.y(), point.z());
+    return result;
+}
+
+gp_Pnt2d plane_point(const Eigen::Vector3d &weighted)
+{
+    return {weighted.x() / weighted.z(), weighted.y() / weighted.z()};
+}
+
+PcurvePiece piece_of(const Arcs &arcs, const Geom2dAdaptor_Curve &curve, double first, double last, bool straight)
+{
+    PcurvePiece piece;
+    piece.start = arcs.empty() ? curve.Value(first) : plane_point(arcs.front().front());
+    piece.end = arcs.empty() ? curve.Value(last) : plane_point(arcs.back().back());
+    Bnd_Box2d box;
+    box.Add(piece.start);
+    box.Add(piece.end);
+    if (arcs.empty() && !straight)
+        BndLib_Add2dCurve::Add(curve, first, last, 0.0, box);
+    for (const ControlPoints &arc : arcs)
+    {
+        for (const Eigen::Vector3d &point : arc)
+            box.Add(plane_point(point));
+        piece.arcs.push_back(plain(arc));
+    }
+    box.Get(piece.box.umin, piece.box.vmin, piece.box.umax, piece.box.vmax);
+    return piece;
 }
 
 } // namespace
@@ -104,19 +146,10 @@ std::vector<PcurvePiece> cut_up(const Handle(Geom2d_Curve) & pcurve, double firs
 {
     const Geom2dAdaptor_Curve adaptor(pcurve, first, last);
     const std::vector<double> ends = piece_ends(first, last, piece_count(adaptor));
-    std::vector<Bnd_Box2d> boxes = piece_boxes(adaptor, ends);
+    const std::vector<Arcs> arcs = arcs_of(pcurve, adaptor, ends);
     std::vector<PcurvePiece> pieces;
-    gp_Pnt2d start = adaptor.Value(first);
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-    {
-        const gp_Pnt2d end = adaptor.Value(ends[i + 1]);
-        boxes[i].Add(start);
-        boxes[i].Add(end);
-        PcurvePiece piece{start, end, {}};
-        boxes[i].Get(piece.box.umin, piece.box.vmin, piece.box.umax, piece.box.vmax);
-        pieces.push_back(piece);
-        start = end;
-    }
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+        pieces.push_back(piece_of(arcs[i], adaptor, ends[i], ends[i + 1], arcs.size() == 1));
     return pieces;
 }
 

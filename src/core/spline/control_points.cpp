@@ -3,6 +3,13 @@
 
 #include "geom_values.h"
 
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Geom2dConvert.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Precision.hxx>
+
+#include <algorithm>
+
 namespace laminate_offset
 {
 
@@ -71,6 +78,57 @@ std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, doub
         pieces.push_back(std::move(piece));
     }
     return pieces;
+}
+
+namespace
+{
+
+std::vector<ControlPoints> converted(const Handle(Geom2d_Curve) & curve, double first, double last)
+{
+    try
+    {
+        const Handle(Geom2d_BSplineCurve) spline =
+            Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(curve, first, last));
+        return pieces_between(*spline, spline->FirstParameter(), spline->LastParameter());
+    }
+    catch (const Standard_Failure &) // a range that OpenCASCADE takes for empty
+    {
+        return {};
+    }
+}
+
+} // namespace
+
+std::vector<ControlPoints> bezier_pieces(const Handle(Geom2d_Curve) & curve, double first, double last)
+{
+    const Geom2dAdaptor_Curve adaptor(curve, first, last);
+    const GeomAbs_CurveType type = adaptor.GetType();
+    if (type == GeomAbs_OffsetCurve || type == GeomAbs_OtherCurve)
+        return {};
+    if (type == GeomAbs_Line)
+    {
+        const gp_Pnt2d a = adaptor.Value(first);
+        const gp_Pnt2d b = adaptor.Value(last);
+        return {{Eigen::Vector3d(a.X(), a.Y(), 1.0), Eigen::Vector3d(b.X(), b.Y(), 1.0)}};
+    }
+    if (!curve->IsPeriodic())
+    {
+        if (first < curve->FirstParameter() - Precision::PConfusion() ||
+            last > curve->LastParameter() + Precision::PConfusion())
+            return {};
+        first = std::max(first, curve->FirstParameter());
+        last = std::min(last, curve->LastParameter());
+    }
+    if (type == GeomAbs_BSplineCurve && !adaptor.BSpline()->IsPeriodic())
+        return pieces_between(*adaptor.BSpline(), first, last);
+    return converted(curve, first, last);
+}
+
+bool positive_weights(const std::vector<ControlPoints> &pieces)
+{
+    return std::all_of(pieces.begin(), pieces.end(), [](const ControlPoints &piece) {
+        return std::all_of(piece.begin(), piece.end(), [](const Eigen::Vector3d &p) { return p.z() > 0.0; });
+    });
 }
 
 } // namespace laminate_offset

@@ -28,4 +28,11 @@ ControlPoints cut_off(ControlPoints &points, double s);
 //! The Bezier pieces of a spline that does not go round, between two of its parameters.
 std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, double first, double last);
 
+//! The Bezier pieces of a curve of any kind between two of its parameters.
+//! \return none for kinds that have no exact ones (offset curves), and beyond the ends of the curve.
+std::vector<ControlPoints> bezier_pieces(const Handle(Geom2d_Curve) & curve, double first, double last);
+
+//! Are all weights above zero? Only then does a piece lie between its control points.
+bool positive_weights(const std::vector<ControlPoints> &pieces);
+
 } // namespace laminate_offset

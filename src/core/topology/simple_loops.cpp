@@ -4,13 +4,8 @@
 #include "../spline/control_points.h"
 
 #include <BRep_Tool.hxx>
-#include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2dConvert.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
-#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -334,34 +329,6 @@ private:
     int m_comparisons = 0;
 };
 
-//! The Bezier pieces of a pcurve; none for kinds that have no exact ones.
-std::vector<ControlPoints> bezier_pieces(const Handle(Geom2d_Curve) & pcurve, double first, double last)
-{
-    const Geom2dAdaptor_Curve adaptor(pcurve, first, last);
-    const GeomAbs_CurveType type = adaptor.GetType();
-    if (type == GeomAbs_OffsetCurve || type == GeomAbs_OtherCurve)
-        return {};
-    if (type == GeomAbs_Line)
-    {
-        const gp_Pnt2d a = adaptor.Value(first);
-        const gp_Pnt2d b = adaptor.Value(last);
-        return {{Eigen::Vector3d(a.X(), a.Y(), 1.0), Eigen::Vector3d(b.X(), b.Y(), 1.0)}};
-    }
-    if (!pcurve->IsPeriodic())
-    {
-        if (first < pcurve->FirstParameter() - Precision::PConfusion() ||
-            last > pcurve->LastParameter() + Precision::PConfusion())
-            return {};
-        first = std::max(first, pcurve->FirstParameter());
-        last = std::min(last, pcurve->LastParameter());
-    }
-    if (type == GeomAbs_BSplineCurve && !adaptor.BSpline()->IsPeriodic())
-        return pieces_between(*adaptor.BSpline(), first, last);
-    const Handle(Geom2d_BSplineCurve) spline =
-        Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(pcurve, first, last));
-    return pieces_between(*spline, spline->FirstParameter(), spline->LastParameter());
-}
-
 //! Reads the loops of a face, in parameters scaled to its size in space.
 class LoopReader
 {
@@ -465,13 +432,6 @@ private:
         m_surface->D1(result.start.x(), result.start.y(), point, along_u, along_v);
         result.speed = {along_u.Magnitude(), along_v.Magnitude()};
         return result;
-    }
-
-    static bool positive_weights(const std::vector<ControlPoints> &pieces)
-    {
-        return std::all_of(pieces.begin(), pieces.end(), [](const ControlPoints &piece) {
-            return std::all_of(piece.begin(), piece.end(), [](const Eigen::Vector3d &p) { return p.z() > 0.0; });
-        });
     }
 
     //! Puts every edge behind the one that it goes on from.
