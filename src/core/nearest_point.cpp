@@ -6,46 +6,54 @@
 #include "spline/geom_values.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
-#include <cmath>
+#include <atomic>
 
 namespace laminate_offset
 {
 namespace
 {
 
-Result<std::vector<Eigen::Vector3d>> local_points(const InputFace &input, const std::vector<gp_Pnt> &points)
+constexpr std::size_t grain = 256;
+
+Failure not_finite(std::size_t index)
 {
-    const gp_Trsf to_face = input.location.Transformation().Inverted();
-    std::vector<Eigen::Vector3d> local;
-    local.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        local.push_back(vector(points[i].Transformed(to_face).XYZ()));
-        if (!local.back().allFinite())
-            return Failure{Status::InvalidOption, Stage::Options,
-                           fmt::format("Point {} has a coordinate that is no finite number; leave such points out.", i),
-                           std::nullopt, std::nullopt};
-    }
-    return local;
+    return {Status::InvalidOption, Stage::Options,
+            fmt::format("Point {} has a coordinate that is no finite number; leave such points out.", index),
+            std::nullopt, std::nullopt};
 }
 
 Result<std::vector<NearestPoint>> nearest_on(const InputFace &input, const std::vector<gp_Pnt> &points, bool trimmed)
 {
-    const Result<std::vector<Eigen::Vector3d>> local = local_points(input, points);
-    if (!local)
-        return local.failure();
     const Result<FaceNearest> face = FaceNearest::make(input, trimmed);
     if (!face)
         return face.failure();
     const gp_Trsf &from_face = input.location.Transformation();
-    std::vector<NearestPoint> result;
-    result.reserve(points.size());
-    for (const SurfaceFoot &foot : face.value().nearest(local.value()))
-    {
+    const gp_Trsf to_face = from_face.Inverted();
+    std::vector<NearestPoint> result(points.size());
+    std::atomic<std::size_t> bad{points.size()};
+    const auto nearest = [&](std::size_t i) {
+        const Eigen::Vector3d local = vector(points[i].Transformed(to_face).XYZ());
+        if (!local.allFinite())
+            return false;
+        const SurfaceFoot foot = face.value().nearest(local);
         const gp_Pnt point(foot.point.x(), foot.point.y(), foot.point.z());
-        result.push_back({gp_Pnt2d(foot.uv.x(), foot.uv.y()), point.Transformed(from_face), foot.distance});
-    }
+        result[i] = {gp_Pnt2d(foot.uv.x(), foot.uv.y()), point.Transformed(from_face), foot.distance};
+        return true;
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), grain), [&](const auto &range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            if (!nearest(i))
+            {
+                std::size_t first = bad;
+                while (i < first && !bad.compare_exchange_weak(first, i))
+                    continue;
+            }
+    });
+    if (bad < points.size())
+        return not_finite(bad);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "support/data_files.h"
 #include "support/sample_faces.h"
 
+#include <laminate_offset/analysis/analytic_form.h>
 #include <laminate_offset/nearest/face_nearest.h>
 #include <laminate_offset/nearest_point.h>
 
@@ -11,9 +12,11 @@
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -98,6 +101,55 @@ double least_on_grid(const InputFace &input, const gp_Pnt &point)
     return least;
 }
 
+//! A plane, or a line or a circle turned about an axis, as its own kind or as a surface of revolution.
+struct ClosedCase
+{
+    TopoDS_Face face;
+    std::vector<gp_Pnt> special; //!< on the axis, at centres, opposite to the middle
+};
+
+ClosedCase closed_case(int round, std::mt19937 &engine)
+{
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine); };
+    gp_Ax3 frame(gp_Pnt(uniform(-50, 50), uniform(-50, 50), uniform(-50, 50)), gp_Dir(1, uniform(-2, 2), 0.5),
+                 gp_Dir(uniform(-1, 1), 1, uniform(-1, 1)));
+    if (round % 2 == 1)
+        frame.YReverse();
+    const double u0 = uniform(-7.0, 7.0);
+    const double u1 = u0 + (round % 3 == 0 ? 2.0 * M_PI : uniform(0.1, 6.0));
+    const gp_Ax1 axis(frame.Location(), frame.Direction());
+    const auto at = [&](double r, double z) {
+        return frame.Location().Translated(r * gp_Vec(frame.XDirection()) + z * gp_Vec(frame.Direction()));
+    };
+    ClosedCase result;
+    for (const double z : {-200.0, -31.0, 0.0, 5.0, 12.0})
+        result.special.insert(result.special.end(), {at(0.0, z), at(-70.0, z), at(60.0, z)});
+    const gp_Ax2 meridian(at(60.0, 5.0), frame.YDirection(), frame.XDirection());
+    const gp_Dir slant(gp_Vec(at(30.0, 0.0), at(uniform(25, 60), 30.0)));
+    const double top = round % 4 == 0 ? uniform(-0.5, 1.2) : M_PI_2;
+    switch (round % 7)
+    {
+    case 0: result.face = part_of(new Geom_Plane(frame), uniform(-9, 0), uniform(1, 9), -5.0, uniform(1, 9)); break;
+    case 1: result.face = part_of(new Geom_CylindricalSurface(frame, uniform(1, 90)), u0, u1, -20.0, 30.0); break;
+    case 2: // some of them past the apex
+        result.face = part_of(new Geom_ConicalSurface(frame, uniform(-1.2, 1.2), 20.0), u0, u1, uniform(-90, 0), 60.0);
+        break;
+    case 3:
+        result.face =
+            part_of(new Geom_SphericalSurface(frame, uniform(1, 90)), u0, u1, round % 2 ? -M_PI_2 : -1.0, top);
+        break;
+    case 4: result.face = part_of(new Geom_ToroidalSurface(frame, 60.0, uniform(5, 50)), u0, u1, -1.0, top); break;
+    case 5:
+        result.face =
+            part_of(new Geom_SurfaceOfRevolution(new Geom_Line(at(30.0, 0.0), slant), axis), u0, u1, -20.0, 15.0);
+        break;
+    default:
+        result.face = part_of(new Geom_SurfaceOfRevolution(new Geom_Circle(meridian, uniform(5, 40)), axis), u0, u1,
+                              uniform(0.0, 1.0), uniform(1.5, 6.0));
+    }
+    return result;
+}
+
 } // namespace
 
 TEST(NearestPoint, NothingOnTheSurfaceIsNearer)
@@ -176,6 +228,46 @@ TEST(NearestPoint, EquallyNearPointsEndTheSearch)
         EXPECT_NEAR(found.value()[static_cast<std::size_t>(i)].distance, expected[i], 1e-9);
 }
 
+//! The closed forms against the general search, which shares nothing with them, and against the surface: all kinds, whole
+//! and partial turns, both hands, cones past their apex, points on the axis, at centres, poles, seams and corners.
+TEST(NearestPoint, ClosedFormsAgreeWithTheSearch)
+{
+    std::mt19937 engine(11);
+    int disguised = 0, compared = 0;
+    for (int round = 0; round < 70; ++round)
+    {
+        SCOPED_TRACE(round);
+        const ClosedCase made = closed_case(round, engine);
+        const InputFace input = read_face(made.face).value();
+        const FaceNearest closed = FaceNearest::make(input, false).value();
+        if (round % 7 < 5)
+            ASSERT_TRUE(AnalyticNearest::make(input.surface, domain_box(input, input.surface)).has_value());
+        else
+            disguised += analytic_form(input).has_value() ? 1 : 0;
+        std::vector<gp_Pnt> points = points_about(input, 60, static_cast<unsigned>(round));
+        points.insert(points.end(), made.special.begin(), made.special.end());
+        const ParameterBox &b = input.box;
+        for (const double u : {b.umin, b.umax})
+            for (const double v : {b.vmin, b.vmax})
+                points.push_back(input.point({u, v}));
+        const double small = 1e-11 * input.diagonal;
+        for (const gp_Pnt &p : points)
+        {
+            const Eigen::Vector3d q(p.X(), p.Y(), p.Z());
+            const SurfaceFoot foot = closed.nearest(q);
+            EXPECT_NEAR(foot.distance, closed.search().nearest(q).distance, 2.0 * small);
+            const gp_Pnt on = input.point({foot.uv.x(), foot.uv.y()});
+            EXPECT_LE(on.Distance(gp_Pnt(foot.point.x(), foot.point.y(), foot.point.z())), small);
+            EXPECT_NEAR(on.Distance(p), foot.distance, small);
+            EXPECT_TRUE(foot.uv.x() >= b.umin - 1e-9 && foot.uv.x() <= b.umax + 1e-9);
+            EXPECT_TRUE(foot.uv.y() >= b.vmin - 1e-9 && foot.uv.y() <= b.vmax + 1e-9);
+            ++compared;
+        }
+    }
+    EXPECT_GE(disguised, 15);
+    EXPECT_GT(compared, 5000);
+}
+
 TEST(NearestPoint, FollowsACurveWithoutJumps)
 {
     const Result<InputFace> input = read_face(faces().front().face);
@@ -200,8 +292,12 @@ TEST(NearestPoint, Refusals)
 {
     EXPECT_EQ(nearest_points(TopoDS_Shape(), {}).failure().status, Status::NullShape);
     const TopoDS_Face face = faces().front().face;
-    const auto bad = nearest_points(face, {gp_Pnt(0, std::nan(""), 0)});
+    std::vector<gp_Pnt> some(3000, gp_Pnt(1, 2, 3));
+    for (const std::size_t i : {2900, 1234, 2000})
+        some[i].SetY(std::nan(""));
+    const auto bad = nearest_points(face, some);
     EXPECT_EQ(bad.failure().status, Status::InvalidOption);
+    EXPECT_NE(bad.failure().message.find("Point 1234 "), std::string::npos) << bad.failure().message;
     const Handle(Geom_Surface) offset = new Geom_OffsetSurface(BRep_Tool::Surface(face), 5.0);
     const auto procedural = nearest_points(BRepBuilderAPI_MakeFace(offset, 1e-7).Face(), {gp_Pnt(0, 0, 0)});
     EXPECT_EQ(procedural.failure().status, Status::NotSupported);

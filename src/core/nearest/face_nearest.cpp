@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "face_nearest.h"
 
+#include "../analysis/analytic_form.h"
 #include "../analysis/base_surface.h"
 
 #include <BRepTools.hxx>
 #include <Geom_OffsetSurface.hxx>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@ namespace laminate_offset
 {
 namespace
 {
-
-constexpr std::size_t grain = 64;
 
 Failure procedural()
 {
@@ -40,6 +37,16 @@ bool same_points(const InputFace &input, const Handle(Geom_Surface) & surface)
                 return false;
         }
     return true;
+}
+
+//! Of the five kinds, also where an extrusion or a revolution is one of them.
+std::optional<AnalyticNearest> closed_form(const InputFace &input, const Handle(Geom_Surface) & surface,
+                                           const ParameterBox &box)
+{
+    if (std::optional<AnalyticNearest> result = AnalyticNearest::make(surface, box))
+        return result;
+    const std::optional<AnalyticForm> form = input.base_distance == 0.0 ? analytic_form(input) : std::nullopt;
+    return form ? AnalyticNearest::make(form->surface, box, form->shift) : std::nullopt;
 }
 
 } // namespace
@@ -83,10 +90,12 @@ Result<FaceNearest> FaceNearest::make(const InputFace &input, bool trimmed)
     const Result<Handle(Geom_Surface)> surface = true_surface(input);
     if (!surface)
         return surface.failure();
-    std::optional<ExactSpline> spline = exact_spline(surface.value(), domain_box(input, surface.value()));
+    const ParameterBox box = domain_box(input, surface.value());
+    std::optional<ExactSpline> spline = exact_spline(surface.value(), box);
     if (!spline)
         return procedural();
     FaceNearest result{NearestSearch(std::move(*spline))};
+    result.m_form = closed_form(input, surface.value(), box);
     if (trimmed)
     {
         result.m_trim.emplace(Trim{LoopRegion(input), BorderSearch(input, surface.value()), {}});
@@ -103,20 +112,10 @@ NearestSearch::Region FaceNearest::Trim::rule() const
 
 SurfaceFoot FaceNearest::nearest(const Eigen::Vector3d &point) const
 {
-    const SurfaceFoot anywhere = m_search.nearest(point);
+    const SurfaceFoot anywhere = m_form ? m_form->nearest(point) : m_search.nearest(point);
     if (!m_trim || m_trim->region.contains(gp_Pnt2d(anywhere.uv.x(), anywhere.uv.y())))
         return anywhere;
     return m_search.nearest(point, m_trim->border.nearest(point), m_trim->rule(), m_trim->touched);
-}
-
-std::vector<SurfaceFoot> FaceNearest::nearest(const std::vector<Eigen::Vector3d> &points) const
-{
-    std::vector<SurfaceFoot> feet(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), grain), [&](const auto &range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            feet[i] = nearest(points[i]);
-    });
-    return feet;
 }
 
 } // namespace laminate_offset

@@ -5,6 +5,7 @@
 
 #include "../analysis/loop_region.h"
 #include "../base/result.h"
+#include "analytic_nearest.h"
 #include "border_search.h"
 
 #include <optional>
@@ -28,8 +29,6 @@ public:
     static Result<FaceNearest> make(const InputFace &input, bool trimmed);
 
     [[nodiscard]] SurfaceFoot nearest(const Eigen::Vector3d &point) const;
-    //! Of many points, on all cores.
-    [[nodiscard]] std::vector<SurfaceFoot> nearest(const std::vector<Eigen::Vector3d> &points) const;
 
     [[nodiscard]] const NearestSearch &search() const { return m_search; }
 
@@ -46,6 +45,7 @@ private:
     explicit FaceNearest(NearestSearch search) : m_search(std::move(search)) {}
 
     NearestSearch m_search;
+    std::optional<AnalyticNearest> m_form; //!< in place of the search, where there is a closed form
     std::optional<Trim> m_trim;
 };
 

@@ -4,9 +4,6 @@
 #include "descent.h"
 #include "distance_proof.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +18,6 @@ constexpr double slack_share = 1e-11;
 constexpr int most_hops = 400;
 constexpr int most_halvings = 8;
 constexpr std::size_t deepest_stack = 128;
-constexpr std::size_t grain = 128;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ParameterBox around(const ParameterBox &a, const ParameterBox &b)
@@ -270,16 +266,6 @@ SurfaceFoot NearestSearch::nearest(const Eigen::Vector3d &point, const Eigen::Ve
     query.try_leaf(leaf_at({m_surface.u.to_spline(guess.x()), m_surface.v.to_spline(guess.y())}));
     query.search();
     return query.settled();
-}
-
-std::vector<SurfaceFoot> NearestSearch::nearest(const std::vector<Eigen::Vector3d> &points) const
-{
-    std::vector<SurfaceFoot> feet(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), grain), [&](const auto &range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            feet[i] = nearest(points[i]);
-    });
-    return feet;
 }
 
 SurfaceFoot NearestSearch::follow(const Eigen::Vector3d &point, const Eigen::Vector2d &guess) const

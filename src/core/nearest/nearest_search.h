@@ -46,9 +46,6 @@ public:
     //! The same, faster where the surface at `guess` is near.
     [[nodiscard]] SurfaceFoot nearest(const Eigen::Vector3d &point, const Eigen::Vector2d &guess) const;
 
-    //! Of many points, on all cores.
-    [[nodiscard]] std::vector<SurfaceFoot> nearest(const std::vector<Eigen::Vector3d> &points) const;
-
     //! Downhill from `guess` to the next local minimum: for marching along a curve without jumps.
     [[nodiscard]] SurfaceFoot follow(const Eigen::Vector3d &point, const Eigen::Vector2d &guess) const;
 

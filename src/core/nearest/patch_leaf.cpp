@@ -11,6 +11,11 @@ namespace
 
 // Second derivatives stay below this part of the first ones over the unit square of a leaf.
 constexpr double bend = 0.35;
+// The mixed one has to stay below it beside the shorter side too, which counts as no shorter than this part of the longer
+// one: at a pole it vanishes.
+constexpr double shorter_side = 0.1;
+// A patch more slender than that is cut across at first: many slivers side by side are as far away as one of them.
+constexpr double slender = 0.02;
 // Enclosures are widened by so much of their size for rounding.
 constexpr double rounding = 1e-12;
 
@@ -340,9 +345,11 @@ Bend bend_of(const PatchLeaf &leaf)
     const double lv = leaf.dv.norm();
     const bool u_bends = leaf.size_uu > bend * lu;
     const bool v_bends = leaf.size_vv > bend * lv;
-    if (!u_bends && !v_bends && leaf.size_uv <= bend * std::max(lu, lv))
+    const double shorter = std::min(lu, lv);
+    const double longer = std::max(lu, lv);
+    if (!u_bends && !v_bends && leaf.size_uv <= bend * std::max(shorter, shorter_side * longer))
         return Bend::None;
-    const bool along_u = u_bends != v_bends ? u_bends : lu >= lv;
+    const bool along_u = u_bends != v_bends && shorter >= slender * longer ? u_bends : lu >= lv;
     return along_u ? Bend::AlongU : Bend::AlongV;
 }
 
