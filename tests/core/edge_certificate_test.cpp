@@ -24,11 +24,14 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -86,6 +89,12 @@ std::vector<NamedPcurve> pcurves(RandomCases &random)
         {"rational spline", Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(circle, 0.2, 4.0)), 0.2, 4.0}};
 }
 
+Handle(Geom_Surface) turned(const gp_Ax2 &circle, double radius, const gp_Ax3 &axis)
+{
+    const Handle(Geom_Curve) arc = new Geom_TrimmedCurve(new Geom_Circle(circle, radius), -0.5, 1.5);
+    return new Geom_SurfaceOfRevolution(arc, gp_Ax1(axis.Location(), axis.Direction()));
+}
+
 std::vector<std::pair<std::string, Handle(Geom_Surface)>> surfaces(RandomCases &random)
 {
     const gp_Ax3 axes(gp_Pnt(3, -2, 1), gp_Dir(0.2, 0.3, 1.0));
@@ -96,7 +105,9 @@ std::vector<std::pair<std::string, Handle(Geom_Surface)>> surfaces(RandomCases &
             {"cylinder", new Geom_CylindricalSurface(axes, 40.0)},
             {"cone", new Geom_ConicalSurface(axes, 0.4, 30.0)},
             {"sphere", new Geom_SphericalSurface(axes, 50.0)},
-            {"torus", new Geom_ToroidalSurface(axes, 60.0, 20.0)}};
+            {"torus", new Geom_ToroidalSurface(axes, 60.0, 20.0)},
+            {"turned circle", turned(gp_Ax2(gp_Pnt(40, 5, 9), gp_Dir(0.3, -1.0, 0.6)), 25.0, axes)},
+            {"turned circle about its centre", turned(gp_Ax2(axes.Location(), gp_Dir(1.0, 0.1, 0.5)), 25.0, axes)}};
 }
 
 //! Largest distance of the curve from the surface along its pcurve, by OpenCASCADE.
@@ -201,7 +212,7 @@ TEST(EdgeCertificate, HoldsForEveryKindOfPcurveAndSurface)
             ++compared;
         }
     }
-    EXPECT_EQ(compared, 88);
+    EXPECT_EQ(compared, 110);
     EXPECT_LE(loosest, 1.3);
 }
 

@@ -146,6 +146,18 @@ Handle(Geom2d_BSplineCurve) simplified(const Handle(Geom2d_BSplineCurve) & curve
     return result;
 }
 
+//! With the poles kept inside a box: taking out knots moves them a little beyond the surface's ends, where nothing can be
+//! proven.
+Handle(Geom2d_BSplineCurve) kept_inside(const Handle(Geom2d_BSplineCurve) & curve, const ParameterBox &box)
+{
+    for (int i = 1; i <= curve->NbPoles(); ++i)
+    {
+        const gp_Pnt2d pole = curve->Pole(i);
+        curve->SetPole(i, gp_Pnt2d(std::clamp(pole.X(), box.umin, box.umax), std::clamp(pole.Y(), box.vmin, box.vmax)));
+    }
+    return curve;
+}
+
 class ImageMaker
 {
 public:
@@ -219,13 +231,15 @@ private:
         return std::nullopt;
     }
 
-    //! With as few knots as the proof admits.
+    //! With as few knots as the proof admits; where nothing can be proven, as samples admit.
     [[nodiscard]] std::optional<ImagePiece> proven(const Handle(Geom2d_BSplineCurve) & pcurve, bool on_surface,
                                                    double room) const
     {
         const double admissible = removal_share * room / m_marcher.speed();
+        std::optional<ImagePiece> seen;
         for (const Handle(Geom2d_Curve) & candidate :
-             {Handle(Geom2d_Curve)(simplified(pcurve, admissible)), Handle(Geom2d_Curve)(pcurve)})
+             {Handle(Geom2d_Curve)(kept_inside(simplified(pcurve, admissible), m_on.box)),
+              Handle(Geom2d_Curve)(pcurve)})
         {
             ImagePiece piece{candidate,  {}, candidate->FirstParameter(), candidate->LastParameter(), {},
                              on_surface, 0.0};
@@ -242,10 +256,14 @@ private:
                 piece.deviation = own->deviation;
             }
             piece.deviation.bound += m_on.model_error;
-            if (!piece.curve.IsNull() && piece.deviation.bound <= m_tolerance)
+            if (piece.curve.IsNull() || !(piece.deviation.bound <= m_tolerance))
+                continue;
+            if (piece.deviation.proven)
                 return piece;
+            if (!seen)
+                seen = piece;
         }
-        return std::nullopt;
+        return seen;
     }
 
     const ImageSurface &m_on;

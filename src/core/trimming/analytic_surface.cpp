@@ -4,12 +4,16 @@
 #include "../spline/geom_values.h"
 #include "../spline/vector_kernels.h"
 
+#include <Eigen/Geometry>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 
 #include <algorithm>
 #include <array>
@@ -43,38 +47,72 @@ std::optional<AnalyticSurface> AnalyticSurface::make(const Handle(Geom_Surface) 
         result.prepare_spline();
         return result;
     }
-    const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface);
-    if (elementary.IsNull())
+    if (const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface))
+        result.take_elementary(elementary);
+    else if (!result.take_turned_circle(surface))
         return std::nullopt;
-    const gp_Ax3 &position = elementary->Position();
-    result.m_origin = vector(position.Location().XYZ());
-    result.m_x = vector(position.XDirection().XYZ());
-    result.m_y = vector(position.YDirection().XYZ());
-    result.m_z = vector(position.Direction().XYZ());
+    result.m_size += result.m_origin.norm() + result.m_radius + result.m_tube;
+    return result;
+}
+
+void AnalyticSurface::take_elementary(const Handle(Geom_ElementarySurface) & surface)
+{
+    const gp_Ax3 &position = surface->Position();
+    m_origin = vector(position.Location().XYZ());
+    m_x = vector(position.XDirection().XYZ());
+    m_y = vector(position.YDirection().XYZ());
+    m_z = vector(position.Direction().XYZ());
     if (!Handle(Geom_Plane)::DownCast(surface).IsNull())
-        result.m_kind = Kind::Plane;
+        m_kind = Kind::Plane;
     else if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface))
     {
-        result.m_kind = Kind::Cone;
-        result.m_radius = cylinder->Radius();
+        m_kind = Kind::Cone;
+        m_radius = cylinder->Radius();
     }
     else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface))
     {
-        result.m_kind = Kind::Cone;
-        result.m_radius = cone->RefRadius();
-        result.m_sine = std::sin(cone->SemiAngle());
-        result.m_cosine = std::cos(cone->SemiAngle());
+        m_kind = Kind::Cone;
+        m_radius = cone->RefRadius();
+        m_sine = std::sin(cone->SemiAngle());
+        m_cosine = std::cos(cone->SemiAngle());
     }
     else
     {
         const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface);
         const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface);
-        result.m_kind = Kind::Torus;
-        result.m_radius = sphere.IsNull() ? torus->MajorRadius() : 0.0;
-        result.m_tube = sphere.IsNull() ? torus->MinorRadius() : sphere->Radius();
+        m_kind = Kind::Torus;
+        m_radius = sphere.IsNull() ? torus->MajorRadius() : 0.0;
+        m_tube = sphere.IsNull() ? torus->MinorRadius() : sphere->Radius();
     }
-    result.m_size = result.m_origin.norm() + result.m_radius + result.m_tube;
-    return result;
+}
+
+//! The frame stands at the height of the circle's centre, its first axis towards the centre.
+bool AnalyticSurface::take_turned_circle(const Handle(Geom_Surface) & surface)
+{
+    const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+    if (turned.IsNull())
+        return false;
+    Handle(Geom_Curve) profile = turned->BasisCurve();
+    while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(profile))
+        profile = trimmed->BasisCurve();
+    const auto circle = Handle(Geom_Circle)::DownCast(profile);
+    if (circle.IsNull())
+        return false;
+    const Eigen::Vector3d centre = vector(circle->Location().XYZ());
+    m_kind = Kind::Torus;
+    m_origin = vector(turned->Axis().Location().XYZ());
+    m_size = m_origin.norm() + centre.norm(); // what the frame is rounded from
+    m_z = vector(turned->Axis().Direction().XYZ());
+    m_origin += (centre - m_origin).dot(m_z) * m_z;
+    m_radius = (centre - m_origin).norm();
+    m_tube = circle->Radius();
+    const Eigen::Vector3d out = centre - m_origin;
+    m_x = (out - out.dot(m_z) * m_z).norm() > 0.0 ? (out - out.dot(m_z) * m_z).normalized() : m_z.unitOrthogonal();
+    m_y = m_z.cross(m_x);
+    const Eigen::Matrix3d to_frame = (Eigen::Matrix3d() << m_x, m_y, m_z).finished().transpose();
+    m_a = to_frame * vector(circle->XAxis().Direction().XYZ());
+    m_b = to_frame * vector(circle->YAxis().Direction().XYZ());
+    return true;
 }
 
 void AnalyticSurface::prepare_spline()
@@ -230,7 +268,8 @@ Eigen::Vector3d AnalyticSurface::value(double u, double v, const Cell &cell) con
     const Eigen::Vector3d outwards = std::cos(u) * m_x + std::sin(u) * m_y;
     if (m_kind == Kind::Cone)
         return m_origin + (m_radius + v * m_sine) * outwards + (v * m_cosine) * m_z;
-    return m_origin + (m_radius + m_tube * std::cos(v)) * outwards + m_tube * std::sin(v) * m_z;
+    const Eigen::Vector3d arm = m_tube * (std::cos(v) * m_a + std::sin(v) * m_b);
+    return m_origin + (m_radius + arm.x()) * outwards + arm.y() * m_z.cross(outwards) + arm.z() * m_z;
 }
 
 double AnalyticSurface::speed(int direction, double v) const
@@ -319,7 +358,7 @@ AnalyticSurface::LocalSpeed AnalyticSurface::local_speed(const Cell &cell, int d
 
 double AnalyticSurface::growth(const Patch &patch, const CurveReach &reach) const
 {
-    // |cos z|^2 + |sin z|^2 = cosh(2 Im z), so e(u) is no longer than exp |Im u|
+    // |cos z|^2 + |sin z|^2 = cosh(2 Im z), so e(u) is no longer than exp |Im u|, and a turn by u stretches no more
     const Eigen::Vector3d &d = reach.total;
     switch (m_kind)
     {

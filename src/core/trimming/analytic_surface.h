@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //! \file
 //! Surfaces as piecewise analytic functions with bounds in the complex plane: splines, planes, cylinders,
-//! cones, spheres and tori. See analytic_curve.h.
+//! cones, spheres, tori and circles of any position turned about an axis. See analytic_curve.h.
 #pragma once
 
 #include "../spline/tensor_spline.h"
 #include "analytic_curve.h"
 
 #include <Eigen/Core>
+#include <Geom_ElementarySurface.hxx>
 #include <Geom_Surface.hxx>
 
 #include <optional>
@@ -92,11 +93,15 @@ private:
     {
         Spline,
         Plane,
-        Cone,  //!< origin + (radius + v sine) e(u) + v cosine Z; a cylinder has sine 0
-        Torus, //!< origin + (radius + tube cos v) e(u) + tube sin v Z; a sphere has radius 0
+        Cone, //!< origin + (radius + v sine) e(u) + v cosine Z; a cylinder has sine 0
+        //! origin + c(v) turned by u about Z, c = radius X + tube (cos v A + sin v B) in the frame's coordinates; on a torus
+        //! A = X and B = Z, a sphere has radius 0
+        Torus,
     };
 
     void prepare_spline();
+    void take_elementary(const Handle(Geom_ElementarySurface) & surface);
+    [[nodiscard]] bool take_turned_circle(const Handle(Geom_Surface) & surface);
     [[nodiscard]] double derivative_bound(int direction) const;
     [[nodiscard]] Eigen::Vector4d homogeneous(double u, double v, const Cell &cell) const;
     //! The same from the basis functions of the cell.
@@ -119,6 +124,8 @@ private:
     Eigen::Vector3d m_x = Eigen::Vector3d::UnitX();
     Eigen::Vector3d m_y = Eigen::Vector3d::UnitY();
     Eigen::Vector3d m_z = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d m_a = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d m_b = Eigen::Vector3d::UnitZ();
     double m_radius = 0.0;
     double m_tube = 0.0;
     double m_sine = 0.0;
