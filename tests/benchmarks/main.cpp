@@ -26,11 +26,12 @@ constexpr const char *usage = R"(offset_benchmarks [MODE] [OUTPUT_FOLDER]
   --methods    the default method beside ravi-kumar, generated faces, shipped examples and some real ones
   --prototype  pole counts beside those of the prototype's least squares
   --memory     peak memory at 128x128 poles
-  --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face
+  --nearest    nearest points of all free-form real faces against OpenCASCADE, 100,000 a face: hours; started again, it goes
+               on behind the faces in OUTPUT_FOLDER's nearest.csv
   --projection every edge of every real face put back onto its face
   --stack      16 and 200 plies on two fuselage panels: time, memory, OpenCASCADE ply by ply
   --nearest-quick  the same of every fifth face, 2,000 a face
-Tables go to the standard output, comparison.csv, worst.txt, corpus.csv, extension.csv and methods.csv into OUTPUT_FOLDER (default: here).
+Tables go to the standard output, comparison.csv, worst.txt, corpus.csv, extension.csv, nearest.csv and methods.csv into OUTPUT_FOLDER (default: here).
 )";
 
 constexpr int quick_stride = 19;
@@ -54,13 +55,13 @@ int run(const std::string &mode, const std::filesystem::path &folder)
     if (mode == "--corpus")
         run_corpus(real_faces(false), folder / "corpus.csv", std::cout);
     if (mode == "--nearest")
-        run_nearest(real_faces(true), 100000, std::cout);
+        run_nearest(real_faces(true), 100000, folder / "nearest.csv", std::cout);
     if (mode == "--projection")
         run_projection(real_faces(false), false, std::cout);
     if (mode == "--stack")
         run_stacks(std::cout);
     if (mode == "--nearest-quick")
-        run_nearest(real_faces(true, 5), 2000, std::cout);
+        run_nearest(real_faces(true, 5), 2000, std::nullopt, std::cout);
     if (mode == "--extension")
         run_extension(real_faces(true), folder / "extension.csv", std::cout);
     if (mode == "--methods")
