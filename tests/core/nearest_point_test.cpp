@@ -245,17 +245,22 @@ TEST(NearestPoint, ClosedFormsAgreeWithTheSearch)
         else
             disguised += analytic_form(input).has_value() ? 1 : 0;
         std::vector<gp_Pnt> points = points_about(input, 60, static_cast<unsigned>(round));
-        points.insert(points.end(), made.special.begin(), made.special.end());
         const ParameterBox &b = input.box;
         for (const double u : {b.umin, b.umax})
             for (const double v : {b.vmin, b.vmax})
                 points.push_back(input.point({u, v}));
+        const std::size_t plain = points.size(); // the others are as far from whole curves, which the search abhors
+        points.insert(points.end(), made.special.begin(), made.special.end());
         const double small = 1e-11 * input.diagonal;
-        for (const gp_Pnt &p : points)
+        for (std::size_t i = 0; i < points.size(); ++i)
         {
+            const gp_Pnt &p = points[i];
             const Eigen::Vector3d q(p.X(), p.Y(), p.Z());
             const SurfaceFoot foot = closed.nearest(q);
-            EXPECT_NEAR(foot.distance, closed.search().nearest(q).distance, 2.0 * small);
+            if (i < plain)
+                EXPECT_NEAR(foot.distance, closed.search().nearest(q).distance, 2.0 * small);
+            else
+                EXPECT_LE(foot.distance, least_on_grid(input, p) + small);
             const gp_Pnt on = input.point({foot.uv.x(), foot.uv.y()});
             EXPECT_LE(on.Distance(gp_Pnt(foot.point.x(), foot.point.y(), foot.point.z())), small);
             EXPECT_NEAR(on.Distance(p), foot.distance, small);

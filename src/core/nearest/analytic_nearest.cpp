@@ -85,10 +85,14 @@ bool AnalyticNearest::admissible()
 {
     const double width_u = m_u.high - m_u.low;
     const double width_v = m_v.high - m_v.low;
-    if (m_kind == Kind::Plane)
-        return true;
     double reach = m_start.x() + m_radius;
     double size = m_radius * width_v;
+    if (m_kind == Kind::Plane)
+    {
+        reach = std::max({std::abs(m_u.low), std::abs(m_u.high), std::abs(m_v.low), std::abs(m_v.high)});
+        size = std::max(width_u, width_v);
+        return reach <= most_reach * size;
+    }
     if (m_kind == Kind::Line)
     {
         const double at_low = m_start.x() + m_v.low * m_along.x();
