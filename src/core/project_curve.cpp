@@ -194,7 +194,12 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
         const SpaceCurve &curve = given.value().curves[i];
         Result<std::vector<ImagePiece>> pieces = image_of(on, curve, options.tolerance);
         if (!pieces)
-            return pieces.failure();
+        {
+            Failure failure = pieces.failure();
+            if (failure.where)
+                failure.where->point.Transform(input.location.Transformation());
+            return failure;
+        }
         const bool reversed = given.value().reversed[i] != 0;
         if (reversed)
             std::reverse(pieces.value().begin(), pieces.value().end());

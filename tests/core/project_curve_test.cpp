@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Images of curves: the proven bound against dense samples, seams, poles, borders, and what is refused.
 #include "support/data_files.h"
+#include "support/random_cases.h"
 #include "support/sample_faces.h"
 
 #include <laminate_offset/project_curve.h>
@@ -12,8 +13,15 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -164,6 +172,120 @@ TEST(ProjectCurve, NoSliverIsLeftWhereACurveComesBackToTheBorder)
                 in_two += image.value().edges.size() == 2 ? 1 : 0;
             }
     EXPECT_GE(in_two, 9); // the circle begins inside
+}
+
+//! Curves that stray over a border by less than the tolerance: their images stay inside, or nothing could be proven.
+TEST(ProjectCurve, ImagesAlongABorderAreProven)
+{
+    const auto surface = test_support::height_surface(
+        [](double x, double y) { return 10.0 * std::sin(0.02 * x) * std::cos(0.03 * y); }, 100.0, 80.0, 6, 5);
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7);
+    test_support::RandomCases random;
+    int simplified = 0;
+    for (const bool along_u : {true, false})
+        for (const double at : {0.0, 1.0})
+            for (int round = 0; round < 5; ++round)
+            {
+                const Handle(Geom_Curve) side = along_u ? surface->VIso(at) : surface->UIso(at);
+                const auto curve = Handle(Geom_BSplineCurve)::DownCast(side);
+                for (int i = 1; i <= curve->NbPoles(); ++i)
+                    curve->SetPole(i, curve->Pole(i).Translated(
+                                          gp_Vec(random.uniform(-1e-5, 1e-5), random.uniform(-1e-5, 1e-5), 0.0)));
+                const auto image = project_curve(face, BRepBuilderAPI_MakeEdge(curve).Edge());
+                ASSERT_TRUE(image.ok()) << image.failure().message;
+                ASSERT_TRUE(image.value().certified_error.has_value());
+                EXPECT_LE(*image.value().certified_error, tolerance);
+                EXPECT_LE(sampled(image.value().wire, face), *image.value().certified_error + 1e-12);
+                const auto pcurve = Handle(Geom2d_BSplineCurve)::DownCast(image.value().edges.front().pcurve);
+                simplified += pcurve->NbPoles() < 12 ? 1 : 0;
+                for (int i = 1; i <= pcurve->NbPoles(); ++i)
+                    EXPECT_TRUE(pcurve->Pole(i).X() >= 0.0 && pcurve->Pole(i).X() <= 1.0 &&
+                                pcurve->Pole(i).Y() >= 0.0 && pcurve->Pole(i).Y() <= 1.0);
+            }
+    EXPECT_GT(simplified, 10);
+}
+
+//! A cap whose circle misses the axis by a little is no sphere, yet its edges are proven up to its tip.
+TEST(ProjectCurve, EdgesOfATurnedCircleAreProven)
+{
+    for (const double off : {0.0, 1e-6, 0.3})
+    {
+        const Handle(Geom_Curve) circle =
+            new Geom_Circle(gp_Ax2(gp_Pnt(off, 0.5 * off, 0), gp_Dir(off, -1, 0), gp_Dir(1, off, 0)), 25.0);
+        const Handle(Geom_Surface) cap = new Geom_SurfaceOfRevolution(circle, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
+        const TopoDS_Face face = BRepBuilderAPI_MakeFace(cap, 0.3, 2.5, 0.2, M_PI_2 - 1e-8, 1e-7);
+        int edges_seen = 0;
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+        {
+            if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
+                continue;
+            const auto image = project_curve(face, it.Current());
+            ASSERT_TRUE(image.ok()) << image.failure().message;
+            ASSERT_TRUE(image.value().certified_error.has_value()) << off;
+            EXPECT_LE(*image.value().certified_error, tolerance);
+            EXPECT_LE(sampled(image.value().wire, face), *image.value().certified_error + 1e-12);
+            ++edges_seen;
+        }
+        EXPECT_GE(edges_seen, 3);
+    }
+}
+
+//! A curve above a hollow crease has no continuous image.
+TEST(ProjectCurve, AJumpOverACreaseIsRefusedWithItsPlace)
+{
+    TColgp_Array2OfPnt poles(1, 3, 1, 2);
+    for (int j = 1; j <= 2; ++j)
+        for (int i = 1; i <= 3; ++i)
+            poles(i, j) = gp_Pnt(20.0 * (i - 2), 50.0 * (j - 1), 10.0 * std::abs(i - 2));
+    TColStd_Array1OfReal us(1, 3), vs(1, 2);
+    TColStd_Array1OfInteger mu(1, 3), mv(1, 2);
+    for (int i = 1; i <= 3; ++i)
+    {
+        us(i) = i;
+        mu(i) = i == 2 ? 1 : 2;
+    }
+    vs(1) = 0.0;
+    vs(2) = 1.0;
+    mv.Init(2);
+    const Handle(Geom_Surface) valley = new Geom_BSplineSurface(poles, us, vs, mu, mv, 1, 1);
+    const TopoDS_Face face = test_support::located(BRepBuilderAPI_MakeFace(valley, 1e-7));
+    const TopoDS_Shape line =
+        BRepBuilderAPI_MakeEdge(gp_Pnt(-10, 20, 5.1), gp_Pnt(11, 30, 5.1)).Shape().Moved(face.Location());
+    const auto image = project_curve(face, line);
+    ASSERT_FALSE(image.ok());
+    EXPECT_EQ(image.failure().status, Status::EdgeToleranceNotReached);
+    EXPECT_NE(image.failure().message.find("jumps"), std::string::npos) << image.failure().message;
+    ASSERT_TRUE(image.failure().where.has_value());
+    const gp_Pnt at = image.failure().where->point.Transformed(face.Location().Transformation().Inverted());
+    EXPECT_NEAR(at.X(), 0.0, 3.0);
+    EXPECT_NEAR(at.Y(), 25.0, 3.0);
+}
+
+//! Edges of real models that once were left without a proof.
+TEST(ProjectCurve, RealEdgesAlongBordersAndTurnedCirclesAreProven)
+{
+    const std::pair<const char *, std::vector<int>> models[] = {{"psas_nose_mold.igs", {3, 4, 23, 27, 43, 46}},
+                                                                {"nist_MBE_PMI_5.stp", {34, 37}}};
+    for (const auto &[name, numbers] : models)
+    {
+        const auto path = test_support::find_data_file(name);
+        if (!path)
+            GTEST_SKIP() << test_support::missing_data_message(name);
+        const std::vector<TopoDS_Face> all = test_support::read_faces(*path);
+        for (const int number : numbers)
+        {
+            const TopoDS_Face &face = all.at(static_cast<std::size_t>(number) - 1);
+            for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+            {
+                if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
+                    continue;
+                const auto image = project_curve(face, it.Current());
+                ASSERT_TRUE(image.ok()) << name << number << image.failure().message;
+                ASSERT_TRUE(image.value().certified_error.has_value()) << name << number;
+                EXPECT_LE(*image.value().certified_error, tolerance);
+            }
+        }
+    }
 }
 
 TEST(ProjectCurve, NoSurfaceGoesOnPastItsLastKnot)

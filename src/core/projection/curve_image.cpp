@@ -44,6 +44,13 @@ struct Cubic
     }
 };
 
+//! Where the nearest point jumps from one side of a hollow crease to the other.
+struct Jump
+{
+    ImageFoot from;
+    double width = 0.0; //!< [mm]
+};
+
 class ImageFitter
 {
 public:
@@ -70,10 +77,17 @@ public:
         }
         const double middle = 0.5 * (start.t + end.t);
         if (depth >= deepest || m_cubics.size() >= most_cubics || !(middle > start.t && middle < end.t))
+        {
+            if (const double width = (end.point - start.point).norm(); depth >= deepest && width > m_admissible)
+                m_jump = Jump{start, width};
             return false;
+        }
         const ImageFoot between = m_marcher.foot(middle, 0.5 * (start.uv + end.uv));
         return fit(start, between, depth + 1) && fit(between, end, depth + 1);
     }
+
+    //! Why fit() failed, if it did so for that reason.
+    [[nodiscard]] const std::optional<Jump> &jump() const { return m_jump; }
 
     //! The cubics as one curve, with what is not C1 at its corners.
     [[nodiscard]] Handle(Geom2d_BSplineCurve) curve(const std::vector<double> &corners) const
@@ -132,6 +146,7 @@ private:
     double m_admissible;
     bool m_on_surface;
     std::vector<Cubic> m_cubics;
+    std::optional<Jump> m_jump;
 };
 
 //! Takes out knots as far as the curve stays within `admissible` in its parameters.
@@ -171,14 +186,10 @@ public:
         std::vector<ImagePiece> pieces;
         for (const ImageRun &run : m_marcher.runs(true))
         {
-            std::optional<ImagePiece> piece = image(run);
+            std::optional<Jump> jump;
+            std::optional<ImagePiece> piece = image(run, jump);
             if (!piece)
-                return Failure{
-                    Status::EdgeToleranceNotReached, Stage::Trimming,
-                    fmt::format("The image of the curve between its parameters {:.6g} and {:.6g} could not be "
-                                "brought within {:.3g} mm; ask for a larger tolerance.",
-                                run.feet.front().t, run.feet.back().t, m_tolerance),
-                    std::nullopt, std::nullopt};
+                return refusal(run, jump);
             pieces.push_back(std::move(*piece));
         }
         return pieces;
@@ -191,23 +202,45 @@ public:
         if (runs.size() != 1)
             return {};
         const double part = fit_shares[0];
-        const Handle(Geom2d_BSplineCurve) fitted = hermite_pieces(runs.front(), part * m_tolerance, false);
+        std::optional<Jump> jump;
+        const Handle(Geom2d_BSplineCurve) fitted = hermite_pieces(runs.front(), part * m_tolerance, false, jump);
         return fitted.IsNull() ? fitted : simplified(fitted, removal_share * m_tolerance / m_marcher.speed());
     }
 
 private:
+    [[nodiscard]] Failure refusal(const ImageRun &run, const std::optional<Jump> &jump) const
+    {
+        if (!jump)
+            return {Status::EdgeToleranceNotReached, Stage::Trimming,
+                    fmt::format("The image of the curve between its parameters {:.6g} and {:.6g} could not be "
+                                "brought within {:.3g} mm; ask for a larger tolerance.",
+                                run.feet.front().t, run.feet.back().t, m_tolerance),
+                    std::nullopt, std::nullopt};
+        const ImageFoot &at = jump->from;
+        return {
+            Status::EdgeToleranceNotReached, Stage::Trimming,
+            fmt::format("At its parameter {:.6g} the curve is {:.3g} mm away from the surface, and its nearest point "
+                        "jumps by {:.3g} mm over a hollow crease; bring the curve nearer to the surface, or ask for "
+                        "a tolerance well above that distance.",
+                        at.t, at.distance, jump->width),
+            Where{gp_Pnt2d(at.uv.x(), at.uv.y()), gp_Pnt(at.point.x(), at.point.y(), at.point.z())}, std::nullopt};
+    }
+
     //! Null where the cubics do not come within `admissible`.
     [[nodiscard]] Handle(Geom2d_BSplineCurve)
-        hermite_pieces(const ImageRun &run, double admissible, bool on_surface) const
+        hermite_pieces(const ImageRun &run, double admissible, bool on_surface, std::optional<Jump> &jump) const
     {
         ImageFitter fitter(m_marcher, m_on, admissible, on_surface);
         for (std::size_t i = 0; i + 1 < run.feet.size(); ++i)
             if (!fitter.fit(run.feet[i], run.feet[i + 1], 0))
+            {
+                jump = fitter.jump();
                 return {};
+            }
         return fitter.curve(run.corners);
     }
 
-    [[nodiscard]] std::optional<ImagePiece> image(const ImageRun &run) const
+    [[nodiscard]] std::optional<ImagePiece> image(const ImageRun &run, std::optional<Jump> &jump) const
     {
         double distance = 0.0;
         for (const ImageFoot &foot : run.feet)
@@ -219,7 +252,7 @@ private:
                     continue;
                 const double room = on_surface ? m_tolerance - distance : m_tolerance;
                 const Handle(Geom2d_BSplineCurve) fitted =
-                    hermite_pieces(run, (on_surface ? distance : 0.0) + share * room, on_surface);
+                    hermite_pieces(run, (on_surface ? distance : 0.0) + share * room, on_surface, jump);
                 if (fitted.IsNull())
                     continue;
                 if (std::optional<ImagePiece> piece = proven(fitted, on_surface, share * room))

@@ -54,7 +54,7 @@ struct ImagePiece
 
 //! The image of a curve on the surface's box, in order of its parameter; parts whose nearest points lie on the end of the
 //! box are left out, all of it perhaps.
-//! Refusal: EdgeToleranceNotReached.
+//! Refusal: EdgeToleranceNotReached, with its place (in local coordinates) where the image jumps.
 Result<std::vector<ImagePiece>> image_of(const ImageSurface &on, const SpaceCurve &curve, double tolerance);
 
 //! The image of a curve that need not lie on the surface, in one piece and with the curve's parameter: seen at samples to be
