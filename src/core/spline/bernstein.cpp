@@ -34,30 +34,30 @@ constexpr BinomialTable inverted(BinomialTable table)
 const double *binomials(int n) { return binomial_table[static_cast<std::size_t>(n)].data(); }
 const double *inverse_binomials(int n) { return inverse_binomial_table[static_cast<std::size_t>(n)].data(); }
 
-//! Pole weights of the blossom with a repeated p - i and b repeated i times, on one span (de Boor).
-void blossom_weights(const KnotVector &kv, int span, double a, double b, int i, double *weights)
+//! to = (1 - s) a + s b, number by number.
+void mix(double s, const double *a, const double *b, double *to, std::size_t count)
+{
+    for (std::size_t k = 0; k < count; ++k)
+        to[k] = (1.0 - s) * a[k] + s * b[k];
+}
+
+//! Fills the matrix of one span. De Boor's algorithm at a, on the poles as unit vectors, leaves the blossoms with a
+//! repeated p - i times and the i knots after the span; the same at b on those leaves the ones that are wanted.
+void extract(const KnotVector &kv, int span, SpanExtraction &extraction)
 {
     const int p = kv.degree;
     const double *t = kv.knots.data() + span;
-    std::array<double, max_spline_degree + 1> points;
-    for (int column = 0; column <= p; ++column)
-    {
-        points.fill(0.0);
-        points[static_cast<std::size_t>(column)] = 1.0;
-        for (int r = 1; r <= p; ++r)
-        {
-            const double x = r <= p - i ? a : b;
-            for (int k = p; k >= r; --k)
-            {
-                const double low = t[k - p];
-                const double high = t[k + 1 - r];
-                const double s = (x - low) / (high - low);
-                points[static_cast<std::size_t>(k)] =
-                    (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * points[static_cast<std::size_t>(k)];
-            }
-        }
-        weights[column] = points[static_cast<std::size_t>(p)];
-    }
+    const auto width = static_cast<std::size_t>(p) + 1;
+    extraction.matrix.assign(width * width, 0.0);
+    const auto row = [&](int k) { return extraction.matrix.data() + static_cast<std::size_t>(k) * width; };
+    for (int k = 0; k <= p; ++k)
+        row(k)[k] = 1.0;
+    for (int r = 1; r <= p; ++r)
+        for (int k = 0; k <= p - r; ++k)
+            mix((extraction.a - t[k + r - p]) / (t[k + 1] - t[k + r - p]), row(k), row(k + 1), row(k), width);
+    for (int r = 1; r <= p; ++r)
+        for (int k = p; k >= r; --k)
+            mix((extraction.b - extraction.a) / (t[k + 1 - r] - extraction.a), row(k - 1), row(k), row(k), width);
 }
 
 } // namespace
@@ -250,15 +250,12 @@ void assign_product(const Bernstein &a, const Bernstein &b, Bernstein &out)
 std::vector<SpanExtraction> extractions(const KnotVector &kv, const std::vector<double> &breaks)
 {
     std::vector<SpanExtraction> result;
-    const std::size_t width = static_cast<std::size_t>(kv.degree) + 1;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     {
-        SpanExtraction extraction{breaks[i], breaks[i + 1], 0, std::vector<double>(width * width)};
+        SpanExtraction extraction{breaks[i], breaks[i + 1], 0, {}};
         const int span = kv.span(0.5 * (extraction.a + extraction.b));
         extraction.first = span - kv.degree;
-        for (int k = 0; k <= kv.degree; ++k)
-            blossom_weights(kv, span, extraction.a, extraction.b, k,
-                            extraction.matrix.data() + static_cast<std::size_t>(k) * width);
+        extract(kv, span, extraction);
         result.push_back(std::move(extraction));
     }
     return result;

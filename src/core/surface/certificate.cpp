@@ -27,8 +27,11 @@ constexpr int geometric_depth = 24;
 constexpr double collapsed = 1e-11;
 // Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction, halved
 // up to geometric_depth times with two roundings a degree; products of pieces are sums of some 100. The oracle
-// tests compare with interval arithmetic.
+// tests compare with interval arithmetic. Matrices of an extraction take six roundings a degree, in both directions:
+// the degrees that are usual leave room for that.
 constexpr double extraction_operations = 160.0;
+constexpr int usual_degree = 8;
+constexpr double operations_per_degree = 12.0;
 constexpr double product_operations = 512.0;
 constexpr double usual_terms = 64.0; // pieces of higher degrees than 7 have more
 
@@ -100,11 +103,13 @@ struct Leaf
 class PieceProver
 {
 public:
-    //! \param base_operations rounding that the base's poles bring along.
-    PieceProver(double distance, double target, double base_operations)
-        : m_d(distance), m_target(target), m_operations(extraction_operations + base_operations),
-          m_rounded_base(base_operations > 0.0)
+    explicit PieceProver(const CertificateRequest &request)
+        : m_d(request.distance), m_target(request.target),
+          m_operations(extraction_operations + request.base_operations), m_rounded_base(request.base_operations > 0.0)
     {
+        for (const TensorSpline *spline : {&request.base, &request.offset})
+            for (const int degree : {spline->u.degree, spline->v.degree})
+                m_operations += operations_per_degree * std::max(0, degree - usual_degree);
     }
 
     //! A bound over the piece: at most the target if that can be shown.
@@ -500,7 +505,7 @@ Certificate certify(const CertificateRequest &request)
     std::mutex guard;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pattern.count_u()), [&](const auto &range) {
         PairCutter cutter = pattern;
-        PieceProver prover(request.distance, request.target, request.base_operations);
+        PieceProver prover(request);
         Piece piece;
         double worst = 0.0;
         ParameterBox place;

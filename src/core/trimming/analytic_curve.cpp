@@ -33,7 +33,7 @@ namespace
 {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// A spline of degree 25 takes some 80 roundings to its Bernstein coefficients and 80 more to their sum, all of positive
+// A spline of degree 25 takes some 150 roundings to its Bernstein coefficients and 80 more to their sum, all of positive
 // terms; binomial coefficients add two for each degree, a conic takes a dozen.
 constexpr double operations = 256.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
