@@ -116,7 +116,7 @@ public:
                 dropped.push_back({edge.given, edge.pcurve, edge.first, edge.last});
         }
         const BoundaryGap found = boundary_gap(m_input, LoopRegion(m_input), dropped);
-        if (found.distance > m_most_gap)
+        if (found.distance > m_most_gap + m_tolerance) // the image itself may be off by the tolerance
             return too_far(found);
         gap = found.distance;
         const Result<std::vector<bool>> left = sides(wires, on_face);

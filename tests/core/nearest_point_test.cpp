@@ -221,11 +221,18 @@ TEST(NearestPoint, EquallyNearPointsEndTheSearch)
 {
     const Handle(Geom_Surface) sphere = new Geom_SphericalSurface(gp_Ax3(), 40.0);
     const TopoDS_Face face = part_of(sphere, 0, 2 * M_PI, -M_PI_2, M_PI_2);
-    const auto found = nearest_points(face, {gp_Pnt(0, 0, 0), gp_Pnt(1e-9, 0, 0), gp_Pnt(0, 0, 100), gp_Pnt(0, 0, 40)});
+    const std::vector<gp_Pnt> points{gp_Pnt(0, 0, 0), gp_Pnt(1e-9, 0, 0), gp_Pnt(0, 0, 100), gp_Pnt(0, 0, 40)};
+    const auto found = nearest_points(face, points);
     ASSERT_TRUE(found.ok());
+    const InputFace input = read_face(face).value();
+    const FaceNearest both = FaceNearest::make(input, false).value(); // whose search knows nothing of spheres
     const double expected[] = {40.0, 40.0 - 1e-9, 60.0, 0.0};
-    for (int i = 0; i < 4; ++i)
-        EXPECT_NEAR(found.value()[static_cast<std::size_t>(i)].distance, expected[i], 1e-9);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        EXPECT_NEAR(found.value()[i].distance, expected[i], 1e-9);
+        const Eigen::Vector3d q(points[i].X(), points[i].Y(), points[i].Z());
+        EXPECT_NEAR(both.search().nearest(q).distance, expected[i], 1e-9);
+    }
 }
 
 //! The closed forms against the general search, which shares nothing with them, and against the surface: all kinds, whole

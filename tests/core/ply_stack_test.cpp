@@ -31,6 +31,10 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -772,6 +776,55 @@ TEST(PlyStack, ASeamInTheWayIsMoved)
                 EXPECT_LE(seen.crossing, 2e-3);
                 EXPECT_LE(seen.sideways, 1e-3);
             }
+}
+
+TEST(PlyStack, ASeamAnywhereIsMovedOutOfTheWay)
+{
+    const std::vector<PlySpec> plies{{0.25, std::nullopt, 0.0}, {0.25, 0, 0.0}, {0.25, std::nullopt, 0.0}};
+    for (const double start : {-M_PI, -1.0, 0.0, 2.0})
+    {
+        SCOPED_TRACE(start);
+        const TopoDS_Face face = cylinder_face(start, start + 2.0 * M_PI);
+        const auto made =
+            stack_plies(face, plies, {{"patch", patch_on_cylinder(start), PlySide::Inside, {}}}, options_of(10.0));
+        ASSERT_TRUE(made) << why(made);
+        ASSERT_TRUE(made.value().moved_seam);
+        EXPECT_NEAR(area_of(made.value().plies[1].region), 6000.0, 1e-3 * 6000.0);
+        EXPECT_LE(look_through(*made.value().moved_seam, plies, made.value(), 1.0).thickness, 2e-3);
+    }
+}
+
+TEST(PlyStack, ASurfaceThatClosesWithOtherWeightsKeepsItsSeam)
+{
+    const std::vector<PlySpec> plies{{0.25, std::nullopt, 0.0}, {0.25, 0, 0.0}};
+    for (const double growth : {1.0, 1.1, 1.5})
+    {
+        SCOPED_TRACE(growth); // of the weights from one pole to the next: the same tube with other parameters
+        const double corners[9][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+        TColgp_Array2OfPnt poles(1, 9, 1, 2);
+        TColStd_Array2OfReal weights(1, 9, 1, 2);
+        for (int i = 0; i < 9; ++i)
+            for (int j = 0; j < 2; ++j)
+            {
+                poles(i + 1, j + 1) = gp_Pnt(100.0 * corners[i][0], 100.0 * corners[i][1], 300.0 * j);
+                weights(i + 1, j + 1) = (i % 2 == 1 ? M_SQRT1_2 : 1.0) * std::pow(growth, i);
+            }
+        TColStd_Array1OfReal knots(1, 5), ends(1, 2);
+        TColStd_Array1OfInteger multiplicities(1, 5), twice(1, 2);
+        for (int i = 1; i <= 5; ++i)
+        {
+            knots(i) = i - 1;
+            multiplicities(i) = i == 1 || i == 5 ? 3 : 2;
+        }
+        ends(1) = 0.0;
+        ends(2) = 1.0;
+        twice.Init(2);
+        const TopoDS_Face tube = BRepBuilderAPI_MakeFace(
+            new Geom_BSplineSurface(poles, weights, knots, ends, multiplicities, twice, 2, 1), 1e-7);
+        const auto made =
+            stack_plies(tube, plies, {{"patch", patch_on_cylinder(0.0), PlySide::Inside, {}}}, options_of(10.0));
+        EXPECT_EQ(made.ok(), growth == 1.0) << why(made);
+    }
 }
 
 TEST(PlyStack, ARampThatReachesASeamWithoutAnotherPlaceIsRefused)

@@ -19,7 +19,7 @@ from laminate_offset.features.layup import import_layup, make_layup, set_layup
 from laminate_offset.features.offset_face import make_offset_face
 from laminate_offset.features.plane_section import plane_cuts
 from laminate_offset.features.ply_stack import make_ply_stack, result_of
-from laminate_offset.features.stack_section import cuts_of, make_stack_section, usual_exaggeration
+from laminate_offset.features.stack_section import cuts_of, make_stack_section, set_usual_plane, usual_exaggeration
 from laminate_offset.features.trimmed_grid import Patch, clipped, trimmed_grid
 from laminate_offset.layup import Layup, Ply, layup_from_notation
 from shapes import wavy_face
@@ -344,6 +344,18 @@ def test_section_in_a_moved_container(doc, stack):
     doc.recompute()
     assert inside.Placement.multVec(cut.Shape.Faces[0].CenterOfMass).isEqual(alone, 1e-6)
     assert abs(alone.x - 30) < 1e-9 and alone.Length > 30
+
+
+def test_usual_plane_meets_a_stack_in_a_moved_container(doc, stack):
+    """The plane is set in the document's frame, where the section is cut."""
+    container = doc.addObject("App::Part", "Container")
+    container.Placement = App.Placement(App.Vector(1000, 500, 0), App.Rotation(App.Vector(0, 0, 1), 90))
+    container.addObject(stack)
+    cut = make_stack_section(stack, (1, 0, 0), 30)
+    assert is_invalid(cut)
+    set_usual_plane(cut)
+    doc.recompute()
+    assert cut.Status == "ok" and cut.PlyCount == stack.PlyCount, cut.Message
 
 
 def test_maps_and_sections_are_saved_restored_and_copied(doc, wavy, stack, tmp_path):

@@ -21,6 +21,8 @@ from .stack import MaterialSolid, PlyStack, StackPly, stack_report
 SIGNS = {"normal": 1.0, "reversed": -1.0}
 # Volumes that agree to this part count as equal: OpenCASCADE finds those above ramps no better.
 SAME_VOLUME = 2e-3
+# Part of a ply's own volume that is not missed either, however large the body is that the ply is joined to.
+LOST_PART = 0.25
 # mm
 INSIDE = 1e-6
 # Places of a ply among which one inside of it is looked for, in each direction.
@@ -107,7 +109,8 @@ def joined(body: "Part.Solid", ply: StackPly) -> "Part.Solid":
         ) from error
     expected = body.Volume + ply.solid.Volume
     good = len(solids) == 1 and solids[0].isValid() and solids[0].isClosed()
-    if not good or abs(solids[0].Volume - expected) > SAME_VOLUME * expected or not _holds(solids[0], ply):
+    error = abs(solids[0].Volume - expected) if good else expected
+    if error > min(SAME_VOLUME * expected, LOST_PART * ply.solid.Volume) or not _holds(solids[0], ply):
         raise OffsetError(
             "invalid-result",
             "topology",

@@ -333,8 +333,8 @@ def stack_plies(
             list for every boundary, or {"name": list}.
         boundary_gap: largest distance of a boundary from the face in mm, or a FreeCAD length; a boundary that stands
             farther off is refused. None: a quarter of its own size or of the face's, whichever is less, 1 mm at least.
-        ramp_slope: "mean": drop_off is that of the whole ramp; "steepest": nowhere is the ramp steeper, and as much
-            longer.
+        ramp_slope: "mean": drop_off is that of a ply's whole ramp; "steepest": nowhere is the ply's own part of a ramp
+            steeper, and as much longer. Plies that end along one line add up their slopes.
 
     Returns:
         PlyStack with .plies[i].face, .solid and .report, .top_face, .report, .to_shape(), .mass_properties().

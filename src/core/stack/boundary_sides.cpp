@@ -201,9 +201,9 @@ Result<std::vector<bool>> inside_is_left(const InputFace &input, const std::vect
                            "left, right, or the side next to a point.");
         traces.push_back(traced(input, images[k]));
         if (traces.back().round)
-            return refusal(
-                "A curve of it goes round the face, so it has no inside; say which side the ply is on: left, "
-                "right, or the side next to a point.");
+            return refusal("A curve of it goes round the face, or over a seam that cannot be moved, so it has no "
+                           "inside; say which "
+                           "side the ply is on (left, right, or the side next to a point), or keep it off the seam.");
     }
     std::vector<bool> result;
     for (std::size_t k = 0; k < wires.size(); ++k)

@@ -23,6 +23,8 @@ namespace
 constexpr int samples = 32;
 // Parameters that differ by less, as a part of the box, count as equal.
 constexpr double same_parameter = 1e-9;
+// Poles and weights that differ by less, as a part of the face or of the weight, are one: rounding, not shape.
+constexpr double same_pole = 1e-14;
 // The least free part of the turn in which a seam finds a place.
 constexpr double least_gap = 1e-3;
 
@@ -69,12 +71,15 @@ public:
     {
         const double place = m_low + part * (m_high - m_low);
         if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(m_input.surface); !spline.IsNull())
-            return face_on(begun_at(*spline, place));
+        {
+            const Handle(Geom_Surface) moved = begun_at(*spline, place);
+            return moved.IsNull() ? std::nullopt : face_on(moved);
+        }
         const auto round = Handle(Geom_ElementarySurface)::DownCast(m_input.surface);
         if (round.IsNull() || !m_along_u || !round->IsUPeriodic())
             return std::nullopt;
         const auto turned = Handle(Geom_ElementarySurface)::DownCast(round->Copy());
-        turned->Rotate(round->Axis(), round->Position().Direct() ? place - m_low : m_low - place);
+        turned->Rotate(round->Axis(), round->Position().Direct() ? place : -place);
         return face_on(turned);
     }
 
@@ -116,8 +121,28 @@ private:
         return part;
     }
 
+    //! Do poles and weights go on over the seam? A rational surface may close in points alone, with other weights behind.
+    [[nodiscard]] bool closes(const Geom_BSplineSurface &surface) const
+    {
+        const int across = m_along_u ? surface.NbVPoles() : surface.NbUPoles();
+        const int last = m_along_u ? surface.NbUPoles() : surface.NbVPoles();
+        for (int k = 1; k <= across; ++k)
+        {
+            const gp_Pnt a = m_along_u ? surface.Pole(1, k) : surface.Pole(k, 1);
+            const gp_Pnt b = m_along_u ? surface.Pole(last, k) : surface.Pole(k, last);
+            const double weight_a = m_along_u ? surface.Weight(1, k) : surface.Weight(k, 1);
+            const double weight_b = m_along_u ? surface.Weight(last, k) : surface.Weight(k, last);
+            if (a.Distance(b) > same_pole * m_input.diagonal || std::abs(weight_a - weight_b) > same_pole * weight_a)
+                return false;
+        }
+        return true;
+    }
+
+    //! \return null where the surface would become another one.
     [[nodiscard]] Handle(Geom_Surface) begun_at(const Geom_BSplineSurface &surface, double place) const
     {
+        if (!(m_along_u ? surface.IsUPeriodic() : surface.IsVPeriodic()) && !closes(surface))
+            return {};
         constexpr int once = 1;
         constexpr bool add = false;
         const Handle(Geom_BSplineSurface) moved = Handle(Geom_BSplineSurface)::DownCast(surface.Copy());

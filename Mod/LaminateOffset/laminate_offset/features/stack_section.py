@@ -81,10 +81,17 @@ def add_stack_section(doc: Any) -> Any:
 
 def set_usual_plane(feature: Any) -> None:
     """Puts the plane through the middle of the stack, across its longer side."""
-    box = feature.Stack.Shape.BoundBox
+    box = global_box(feature.Stack)
     sizes = (box.XLength, box.YLength)
     feature.Normal = App.Vector(1, 0, 0) if sizes[0] >= sizes[1] else App.Vector(0, 1, 0)
     feature.Position = feature.Normal.dot(box.Center)
+
+
+def global_box(stack: Any) -> Any:
+    """The box around a stack in the document's global frame, whatever containers the stack stands in."""
+    shape = stack.Shape.copy()
+    shape.Placement = stack.getGlobalPlacement().multiply(stack.Placement.inverse()).multiply(shape.Placement)
+    return shape.BoundBox
 
 
 def usual_exaggeration(feature: Any) -> float:

@@ -5,7 +5,7 @@ from typing import Any, Optional
 
 import FreeCAD as App
 
-from ...features.stack_section import set_usual_plane, usual_exaggeration
+from ...features.stack_section import global_box, set_usual_plane, usual_exaggeration
 from ..texts import translate
 from . import base
 from .base import FeaturePanel
@@ -90,7 +90,7 @@ class StackSectionPanel(FeaturePanel):
     def _plane_chosen(self, index: int) -> None:
         if index < len(_NORMALS) and self._feature.Stack is not None:
             self._feature.Normal = _NORMALS[index]
-            self._feature.Position = _NORMALS[index].dot(self._feature.Stack.Shape.BoundBox.Center)
+            self._feature.Position = _NORMALS[index].dot(global_box(self._feature.Stack).Center)
             self._plane_shown()
             self.compute()
 
