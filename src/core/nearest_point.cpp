@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <cmath>
 
 namespace laminate_offset
 {
@@ -20,9 +21,12 @@ constexpr std::size_t grain = 256;
 
 Failure not_finite(std::size_t index)
 {
-    return {Status::InvalidOption, Stage::Options,
-            fmt::format("Point {} has a coordinate that is no finite number; leave such points out.", index),
-            std::nullopt, std::nullopt};
+    return {
+        Status::InvalidOption, Stage::Options,
+        fmt::format("Point {} has a coordinate that is no finite number, or too large for its square to be one; leave "
+                    "such points out.",
+                    index),
+        std::nullopt, std::nullopt};
 }
 
 Result<std::vector<NearestPoint>> nearest_on(const InputFace &input, const std::vector<gp_Pnt> &points, bool trimmed)
@@ -36,7 +40,7 @@ Result<std::vector<NearestPoint>> nearest_on(const InputFace &input, const std::
     std::atomic<std::size_t> bad{points.size()};
     const auto nearest = [&](std::size_t i) {
         const Eigen::Vector3d local = vector(points[i].Transformed(to_face).XYZ());
-        if (!local.allFinite())
+        if (!std::isfinite(local.squaredNorm()))
             return false;
         const SurfaceFoot foot = face.value().nearest(local);
         const gp_Pnt point(foot.point.x(), foot.point.y(), foot.point.z());

@@ -310,6 +310,9 @@ TEST(NearestPoint, Refusals)
     const auto bad = nearest_points(face, some);
     EXPECT_EQ(bad.failure().status, Status::InvalidOption);
     EXPECT_NE(bad.failure().message.find("Point 1234 "), std::string::npos) << bad.failure().message;
+    for (const double huge : {1e200, 1e308, std::numeric_limits<double>::infinity()})
+        EXPECT_FALSE(nearest_points(face, {gp_Pnt(huge, 0, 0)}).ok()) << huge;
+    EXPECT_TRUE(nearest_points(face, {gp_Pnt(1e100, 0, 0)}).ok());
     const Handle(Geom_Surface) offset = new Geom_OffsetSurface(BRep_Tool::Surface(face), 5.0);
     const auto procedural = nearest_points(BRepBuilderAPI_MakeFace(offset, 1e-7).Face(), {gp_Pnt(0, 0, 0)});
     EXPECT_EQ(procedural.failure().status, Status::NotSupported);
