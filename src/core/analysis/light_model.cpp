@@ -5,6 +5,8 @@
 
 #include "../spline/data_reduction.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -411,6 +413,9 @@ private:
     double m_flat;
 };
 
+//! Fewer facets have sharper kinks between them, which an offset would follow with many poles.
+bool smooth(const KnotVector &kv) { return kv.degree > 1 || kv.breaks().size() == 2; }
+
 } // namespace
 
 std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance)
@@ -423,7 +428,7 @@ std::optional<LightModel> light_model(const TensorSpline &base, double distance,
     ModelSearch search(base, distance);
     for (const double share : tolerance_shares)
         if (std::optional<LightModel> model = search.within(share * tolerance))
-            return model;
+            return smooth(model->spline.u) && smooth(model->spline.v) ? model : std::nullopt;
     return std::nullopt;
 }
 

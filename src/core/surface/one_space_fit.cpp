@@ -23,6 +23,8 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.55;
 constexpr int most_rounds = 8;
+// A next round that needs more than this times the poles of the one before has outgrown its degrees.
+constexpr double most_growth = 1.2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int spare_samples = 2;
 // Places of a span at which the deviation is measured: where the certificate follows, for information only.
@@ -212,8 +214,11 @@ private:
         if (before)
         {
             constexpr int any = std::numeric_limits<int>::max();
-            std::optional<FitSpace> closer = choose_space(*m_sampler, tolerance, m_options, any, &*before);
-            return closer ? closer : choose_space(*m_sampler, tolerance, m_options);
+            const std::optional<FitSpace> closer = choose_space(*m_sampler, tolerance, m_options, any, &*before);
+            if (closer && closer->poles() <= most_growth * before->poles())
+                return closer;
+            const std::optional<FitSpace> afresh = choose_space(*m_sampler, tolerance, m_options);
+            return afresh && (!closer || afresh->poles() <= closer->poles()) ? afresh : closer;
         }
         m_sampler = &m_plain;
         if (!m_rational)
