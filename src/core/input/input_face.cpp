@@ -152,7 +152,7 @@ gp_Pnt2d end_point(const TrimmingCurve &curve, bool at_end)
     return curve.pcurve->Value(at_end == forward ? curve.last : curve.first);
 }
 
-//! Do two ends meet, by a shared vertex or within the vertices' tolerances?
+//! Do two curves meet in a vertex of both?
 bool share_vertex(const TrimmingCurve &before, const TrimmingCurve &after)
 {
     const TopoDS_Vertex end = TopExp::LastVertex(before.edge, true);
@@ -160,6 +160,7 @@ bool share_vertex(const TrimmingCurve &before, const TrimmingCurve &after)
     return !end.IsNull() && !start.IsNull() && end.IsSame(start);
 }
 
+//! Do two ends meet within the vertices' tolerances? Costs two points of the surface.
 bool ends_meet(const TrimmingCurve &before, const TrimmingCurve &after, const InputFace &input)
 {
     const gp_Pnt2d a = end_point(before, true);

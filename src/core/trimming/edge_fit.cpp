@@ -35,7 +35,6 @@ constexpr double least_density = 0.1;
 struct Sampled
 {
     CurveFit fit;
-    std::vector<double> parameters;
     Eigen::VectorXd off;
 };
 
@@ -61,7 +60,7 @@ struct Samples
     }
 };
 
-std::optional<Sampled> fit_over(Samples samples, KnotVector knots)
+std::optional<Sampled> fit_over(const Samples &samples, KnotVector knots)
 {
     const auto solver = LeastSquaresFit::make(knots, samples.parameters);
     if (!solver)
@@ -71,7 +70,6 @@ std::optional<Sampled> fit_over(Samples samples, KnotVector knots)
     result.fit.poles = solver->solve(samples.points);
     result.off = solver->residual(result.fit.poles, samples.points).rowwise().norm();
     result.fit.error = result.off.maxCoeff();
-    result.parameters = std::move(samples.parameters);
     return result;
 }
 
@@ -110,9 +108,9 @@ public:
 private:
     [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior) const
     {
-        KnotVector knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
-        Samples samples = m_common.serve(knots) ? m_common : dense_samples(m_curve, knots);
-        std::optional<Sampled> made = fit_over(std::move(samples), std::move(knots));
+        const KnotVector knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
+        std::optional<Sampled> made =
+            m_common.serve(knots) ? fit_over(m_common, knots) : fit_over(dense_samples(m_curve, knots), knots);
         return made ? std::optional<CurveFit>(std::move(made->fit)) : std::nullopt;
     }
 
@@ -290,14 +288,15 @@ std::optional<CurveFit> joined_fit(const SmoothCurve &curve, const std::vector<D
         KnotVector knots = joined_knots(degree, ends, joins, spans);
         if (knots.pole_count() > most_joined_poles)
             return std::nullopt;
-        std::optional<Sampled> made = fit_over(dense_samples(curve, knots), knots);
+        const Samples samples = dense_samples(curve, knots);
+        std::optional<Sampled> made = fit_over(samples, std::move(knots));
         if (!made)
             return std::nullopt;
         std::vector<double> errors(spans.size(), 0.0);
         std::size_t interval = 0;
-        for (std::size_t k = 0; k < made->parameters.size(); ++k)
+        for (std::size_t k = 0; k < samples.parameters.size(); ++k)
         {
-            while (interval + 1 < errors.size() && made->parameters[k] > ends[interval + 1])
+            while (interval + 1 < errors.size() && samples.parameters[k] > ends[interval + 1])
                 ++interval;
             errors[interval] = std::max(errors[interval], made->off[static_cast<Eigen::Index>(k)]);
         }
