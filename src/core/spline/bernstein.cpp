@@ -34,30 +34,19 @@ constexpr BinomialTable inverted(BinomialTable table)
 const double *binomials(int n) { return binomial_table[static_cast<std::size_t>(n)].data(); }
 const double *inverse_binomials(int n) { return inverse_binomial_table[static_cast<std::size_t>(n)].data(); }
 
-//! to = (1 - s) a + s b, number by number.
-void mix(double s, const double *a, const double *b, double *to, std::size_t count)
-{
-    for (std::size_t k = 0; k < count; ++k)
-        to[k] = (1.0 - s) * a[k] + s * b[k];
-}
-
-//! Fills the matrix of one span. De Boor's algorithm at a, on the poles as unit vectors, leaves the blossoms with a
-//! repeated p - i times and the i knots after the span; the same at b on those leaves the ones that are wanted.
+//! Fills the matrix of one span: its coefficients from the poles as unit vectors.
 void extract(const KnotVector &kv, int span, SpanExtraction &extraction)
 {
     const int p = kv.degree;
-    const double *t = kv.knots.data() + span;
     const auto width = static_cast<std::size_t>(p) + 1;
     extraction.matrix.assign(width * width, 0.0);
     const auto row = [&](int k) { return extraction.matrix.data() + static_cast<std::size_t>(k) * width; };
     for (int k = 0; k <= p; ++k)
         row(k)[k] = 1.0;
-    for (int r = 1; r <= p; ++r)
-        for (int k = 0; k <= p - r; ++k)
-            mix((extraction.a - t[k + r - p]) / (t[k + 1] - t[k + r - p]), row(k), row(k + 1), row(k), width);
-    for (int r = 1; r <= p; ++r)
-        for (int k = p; k >= r; --k)
-            mix((extraction.b - extraction.a) / (t[k + 1 - r] - extraction.a), row(k - 1), row(k), row(k), width);
+    to_bernstein(kv.knots.data() + span, p, extraction.a, extraction.b, [&](double s, int i, int j, int k) {
+        for (std::size_t column = 0; column < width; ++column)
+            row(k)[column] = (1.0 - s) * row(i)[column] + s * row(j)[column];
+    });
 }
 
 } // namespace

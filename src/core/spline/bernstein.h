@@ -114,6 +114,21 @@ void assign_cross(const Bernstein3 &a, const Bernstein3 &b, Bernstein3 &out);
 //! out = a b
 void assign_product(const Bernstein &a, const Bernstein &b, Bernstein &out);
 
+//! Takes the p + 1 poles of one span, in place, to their Bernstein coefficients on [a, b] inside that span. De Boor's
+//! algorithm at a leaves the blossoms with a repeated p - i times and the i knots after the span; the same at b on those
+//! leaves the ones with a repeated p - i and b repeated i times.
+//! \param t points to the start of the span inside a knot vector.
+//! \param mix (s, i, j, k): pole k becomes (1 - s) times pole i plus s times pole j.
+template <class Mix> void to_bernstein(const double *t, int p, double a, double b, const Mix &mix)
+{
+    for (int r = 1; r <= p; ++r)
+        for (int k = 0; k <= p - r; ++k)
+            mix((a - t[k + r - p]) / (t[k + 1] - t[k + r - p]), k, k + 1, k);
+    for (int r = 1; r <= p; ++r)
+        for (int k = p; k >= r; --k)
+            mix((b - a) / (t[k + 1 - r] - a), k - 1, k, k);
+}
+
 //! The matrix that takes the degree + 1 poles of a span to Bernstein coefficients on [a, b] inside that
 //! span: coefficient i is row i (blossom with a repeated degree - i and b repeated i times).
 struct SpanExtraction

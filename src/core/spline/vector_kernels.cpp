@@ -160,4 +160,13 @@ void tensor_sum(const double *poles, int step, int p, int q, const double *__res
     }
 }
 
+LAMINATE_OFFSET_VECTORISED
+void without_weights(const double *__restrict sums, bool rational, double *__restrict rows)
+{
+    const double *weights = sums + 3 * lanes;
+    for (int e = 0; e < 3; ++e)
+        for (int k = 0; k < lanes; ++k)
+            rows[e * lanes + k] = rational ? sums[e * lanes + k] / weights[k] : sums[e * lanes + k];
+}
+
 } // namespace laminate_offset

@@ -38,4 +38,7 @@ void bernstein_sum(const double *coefficients, int degree, const double *s, doub
 void tensor_sum(const double *poles, int step, int p, int q, const double *basis_u, const double *basis_v,
                 double *rows);
 
+//! Rows x, y, z of points from the rows x, y, z, w of their numerators and weights; w counts where `rational`.
+void without_weights(const double *sums, bool rational, double *rows);
+
 } // namespace laminate_offset

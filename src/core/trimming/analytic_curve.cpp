@@ -164,29 +164,15 @@ void CurvePiece::prepare_spline()
     m_rounding = operations * epsilon * (m_curve->m_rational ? 2.0 / least_weight : 1.0) * size;
 }
 
-//! Bernstein coefficient i is the blossom with a repeated degree - i times and b repeated i times. De Boor's algorithm at
-//! a leaves the blossoms with a repeated degree - i times and the i knots after the span; the same at b on those leaves
-//! the coefficients.
 void CurvePiece::fill_coefficients()
 {
-    const int p = m_degree;
-    const double *t = m_curve->m_knots.knots.data() + m_span;
     auto &c = m_coefficients;
-    std::copy_n(m_curve->m_poles.data() + (m_span - p), p + 1, c.begin());
-    for (int r = 1; r <= p; ++r)
-        for (int k = 0; k <= p - r; ++k)
-        {
-            const double s = (m_a - t[k + r - p]) / (t[k + 1] - t[k + r - p]);
-            const auto i = static_cast<std::size_t>(k);
-            c[i] = (1.0 - s) * c[i] + s * c[i + 1];
-        }
-    for (int r = 1; r <= p; ++r)
-        for (int k = p; k >= r; --k)
-        {
-            const double s = (m_b - m_a) / (t[k + 1 - r] - m_a);
-            const auto i = static_cast<std::size_t>(k);
-            c[i] = (1.0 - s) * c[i - 1] + s * c[i];
-        }
+    std::copy_n(m_curve->m_poles.data() + (m_span - m_degree), m_degree + 1, c.begin());
+    const auto mix = [&](double s, int i, int j, int k) {
+        c[static_cast<std::size_t>(k)] =
+            (1.0 - s) * c[static_cast<std::size_t>(i)] + s * c[static_cast<std::size_t>(j)];
+    };
+    to_bernstein(m_curve->m_knots.knots.data() + m_span, m_degree, m_a, m_b, mix);
 }
 
 void CurvePiece::prepare_power()
@@ -237,17 +223,12 @@ void CurvePiece::lane_values(const double *t, double *rows) const
             Eigen::Map<Eigen::Vector3d, 0, Eigen::InnerStride<lanes>>(rows + k) = m_curve->value_on(m_span, t[k]);
         return;
     }
-    using Row = Eigen::Map<Eigen::Array<double, 1, lanes>>;
     std::array<double, lanes> s;
     for (std::size_t k = 0; k < s.size(); ++k)
         s[k] = (t[k] - m_a) / (m_b - m_a);
     std::array<double, 4 * lanes> sums;
     bernstein_sum(m_scaled.front().data(), m_degree, s.data(), sums.data());
-    for (int e = 0; e < 3; ++e)
-        if (m_curve->m_rational)
-            Row(rows + e * lanes) = Row(sums.data() + e * lanes) / Row(sums.data() + 3 * lanes);
-        else
-            Row(rows + e * lanes) = Row(sums.data() + e * lanes);
+    without_weights(sums.data(), m_curve->m_rational, rows);
 }
 
 CurveReach CurvePiece::conic_reach(double rho) const

@@ -242,7 +242,6 @@ void AnalyticSurface::OnCell::lane_values(const double *u, const double *v, doub
             Eigen::Map<Eigen::Vector3d, 0, Eigen::InnerStride<lanes>>(rows + k) = m_surface.value(u[k], v[k], m_cell);
         return;
     }
-    using Row = Eigen::Map<Eigen::Array<double, 1, lanes>>;
     using LaneBasis = std::array<double, lanes *(max_spline_degree + 1)>;
     const TensorSpline &spline = m_surface.m_spline;
     LaneBasis basis_u, basis_v;
@@ -252,11 +251,7 @@ void AnalyticSurface::OnCell::lane_values(const double *u, const double *v, doub
     std::array<double, 4 * lanes> sums;
     tensor_sum(first.data(), 4 * spline.v.pole_count(), spline.u.degree, spline.v.degree, basis_u.data(),
                basis_v.data(), sums.data());
-    for (int e = 0; e < 3; ++e)
-        if (spline.rational)
-            Row(rows + e * lanes) = Row(sums.data() + e * lanes) / Row(sums.data() + 3 * lanes);
-        else
-            Row(rows + e * lanes) = Row(sums.data() + e * lanes);
+    without_weights(sums.data(), spline.rational, rows);
 }
 
 Eigen::Vector3d AnalyticSurface::value(double u, double v, const Cell &cell) const
