@@ -10,7 +10,7 @@ import Part
 
 from ..view_settings import SAMPLE_LOOK, ViewProvider
 from . import progress
-from .base_face import BaseFaceError, place_result
+from .base_face import BaseFaceError, container_placement, place_result
 from .outcome import Feature, accept, add_feature
 from .plane_section import Cut, outline_lengths, plane_cuts
 from .ply_stack import ply_reports, result_of
@@ -90,7 +90,7 @@ def set_usual_plane(feature: Any) -> None:
 def global_box(stack: Any) -> Any:
     """The box around a stack in the document's global frame, whatever containers the stack stands in."""
     shape = stack.Shape.copy()
-    shape.Placement = stack.getGlobalPlacement().multiply(stack.Placement.inverse()).multiply(shape.Placement)
+    shape.Placement = container_placement(stack).multiply(shape.Placement)
     return shape.BoundBox
 
 

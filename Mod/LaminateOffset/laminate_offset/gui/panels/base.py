@@ -6,7 +6,7 @@ from typing import Any, List, Mapping, Tuple
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from ...features.base_face import describe, links_of
+from ...features.base_face import describe, links_of, rooted_links
 from ..resources import form
 from ..selection import FacePicker, Link
 from ..texts import translate
@@ -230,6 +230,26 @@ class FacePanel(FeaturePanel):
         kept = [(base, [sub]) for row, (base, sub) in enumerate(self._flat()) if row not in rows]
         self.set_links(kept)
         self.faces_changed()
+
+
+class QuickFacePanel(FacePanel):
+    """A panel with a list of picked faces whose figures take a moment only: they are made wherever there is a face."""
+
+    def start(self) -> None:
+        """The figures are shown at once where there is a face."""
+        super().start()
+        if self.has_base():
+            self.compute()
+
+    def set_links(self, links: List[Link]) -> None:
+        """Links these faces and no others."""
+        self._feature.Base = rooted_links(links)
+
+    def faces_changed(self) -> None:
+        """Other faces are picked than before."""
+        self.show_faces()
+        if self.has_base():
+            self.compute()
 
 
 def show(panel: FeaturePanel) -> None:

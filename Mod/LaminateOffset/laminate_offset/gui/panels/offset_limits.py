@@ -2,13 +2,11 @@
 """The task panel that shows how far faces can be offset."""
 
 import math
-from typing import Any, List
+from typing import Any
 
-from ...features.base_face import rooted_links
-from ..selection import Link
 from ..texts import translate
 from . import base
-from .base import FacePanel
+from .base import QuickFacePanel
 
 
 def open_new(feature: Any) -> None:
@@ -21,26 +19,10 @@ def edit(feature: Any) -> None:
     base.edit(OffsetLimitsPanel, feature)
 
 
-class OffsetLimitsPanel(FacePanel):
+class OffsetLimitsPanel(QuickFacePanel):
     """Shows the limits of the faces that are picked; OK keeps the marks on the model."""
 
     FORM = "OffsetLimitsPanel"
-
-    def start(self) -> None:
-        """The limits are shown at once where there is a face."""
-        super().start()
-        if self.has_base():
-            self.compute()
-
-    def set_links(self, links: List[Link]) -> None:
-        """Links these faces and no others."""
-        self._feature.Base = rooted_links(links)
-
-    def faces_changed(self) -> None:
-        """Other faces are picked than before: their limits take a moment only."""
-        self.show_faces()
-        if self.has_base():
-            self.compute()
 
     def show_result(self) -> None:
         """Shows what the last recompute told."""
