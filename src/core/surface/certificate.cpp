@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -503,6 +504,7 @@ Certificate certify(const CertificateRequest &request)
     const PairCutter pattern(request);
     Certificate certificate;
     std::mutex guard;
+    std::atomic<bool> ended = false;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pattern.count_u()), [&](const auto &range) {
         PairCutter cutter = pattern;
         PieceProver prover(request);
@@ -510,7 +512,7 @@ Certificate certify(const CertificateRequest &request)
         double worst = 0.0;
         ParameterBox place;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-            for (std::size_t j = 0; j < cutter.count_v(); ++j)
+            for (std::size_t j = 0; j < cutter.count_v() && !ended; ++j)
             {
                 if (request.needed && !request.needed(cutter.box(i, j)))
                     continue;
@@ -520,6 +522,7 @@ Certificate certify(const CertificateRequest &request)
                 {
                     worst = bound;
                     place = cutter.box(i, j);
+                    ended = ended || (request.settle && bound > request.target);
                 }
             }
         const std::lock_guard lock(guard);
@@ -530,7 +533,7 @@ Certificate certify(const CertificateRequest &request)
         }
     });
     certificate.proven = certificate.bound <= request.target;
-    if (certificate.bound >= std::numeric_limits<double>::max())
+    if (ended || certificate.bound >= std::numeric_limits<double>::max())
         certificate.bound = infinity;
     return certificate;
 }

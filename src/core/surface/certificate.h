@@ -35,11 +35,14 @@ struct CertificateRequest
     RectangleFilter needed;     //!< empty: everywhere
     //! How far the base's poles may be from those that are meant, in units of rounding of its largest coordinates.
     double base_operations = 0.0;
+    //! Only the answer matters, not the bound: the first rectangle that misses the target ends the proof.
+    bool settle = false;
 };
 
 struct Certificate
 {
-    double bound = 0.0; //!< proven bound over the needed rectangles [mm]; infinite where none could be proven
+    //! Proven bound over the needed rectangles [mm]; infinite where none could be proven or the proof was ended.
+    double bound = 0.0;
     bool proven = true; //!< bound <= target
     ParameterBox worst; //!< rectangle of the largest bound
 };

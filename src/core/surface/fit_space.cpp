@@ -16,14 +16,17 @@ namespace
 {
 
 constexpr int least_rows = 12;
+// The direction with fewer breaks costs little and, with few poles, errs between rows: it looks at more of them. An
+// even number would pass over the middle of every interval.
+constexpr int rows_for_few_breaks = 3;
 constexpr int fewest_poles = 2; // of a direction
 // Weights that differ by no more than this relatively are one constant.
 constexpr double same_weight = 1e-14;
 
-std::vector<double> row_parameters(const std::vector<double> &ends)
+std::vector<double> row_parameters(const std::vector<double> &ends, int per_interval)
 {
     const int intervals = static_cast<int>(ends.size()) - 1;
-    return chebyshev_parameters(ends, (least_rows + intervals - 1) / intervals);
+    return chebyshev_parameters(ends, std::max(per_interval, (least_rows + intervals - 1) / intervals));
 }
 
 //! The offset of a C^k surface is C^(k-1) at its knots; a crease has been refused before, so at least C^0.
@@ -105,8 +108,9 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
 {
     const BaseSurface &base = sampler.base();
     const ParameterBox &box = base.box();
-    const std::vector<double> rows_u = row_parameters(base.interval_ends_u());
-    const std::vector<double> rows_v = row_parameters(base.interval_ends_v());
+    const bool fewer_u = base.interval_ends_u().size() < base.interval_ends_v().size();
+    const std::vector<double> rows_u = row_parameters(base.interval_ends_u(), fewer_u ? 1 : rows_for_few_breaks);
+    const std::vector<double> rows_v = row_parameters(base.interval_ends_v(), fewer_u ? rows_for_few_breaks : 1);
     KnotProblem along_u;
     along_u.tolerance = tolerance;
     along_u.max_degree = options.max_degree;

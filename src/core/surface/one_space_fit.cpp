@@ -23,9 +23,17 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.55;
 constexpr int most_rounds = 8;
+// A fit seen to take less than this part of the tolerance has been searched too closely. A wider search aims at what
+// proofs hold with ease, since one that fails costs more than all the rest.
+constexpr double close_share = 0.5;
+constexpr double aimed_share = 0.65;
+constexpr double easily_proven_share = 0.8;
+constexpr double widest = 2.5;      // times the tolerance before
+constexpr double worth_less = 0.95; // part of the poles that a wider search has to leave
 // A next round that needs more than this times the poles of the one before has outgrown its degrees.
 constexpr double most_growth = 1.2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int any_poles = std::numeric_limits<int>::max();
 constexpr int spare_samples = 2;
 // Places of a span at which the deviation is measured: where the certificate follows, for information only.
 constexpr int checks_before_proof = 4;
@@ -121,11 +129,13 @@ ErrorAt deviation(const BaseSurface &base, const TensorSpline &spline, double di
 }
 
 //! The certificate's bound over the trimmed region of a base that is a spline in its own parameters.
-ErrorAt proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline, double distance, double tolerance)
+ErrorAt proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline, double distance, double tolerance,
+                     bool settle)
 {
     const auto needed = [&](const ParameterBox &box) { return analysis.region.may_touch(box); };
     const double of_model = analysis.base.model_error().of_offset(distance);
-    const Certificate certificate = certify({*analysis.base.spline(), spline, distance, tolerance - of_model, needed});
+    const Certificate certificate =
+        certify({*analysis.base.spline(), spline, distance, tolerance - of_model, needed, 0.0, settle});
     const ParameterBox &worst = certificate.worst;
     return {of_model + certificate.bound, gp_Pnt2d(0.5 * (worst.umin + worst.umax), 0.5 * (worst.vmin + worst.vmax))};
 }
@@ -161,31 +171,70 @@ public:
                 break;
             if (cancelled(round, 0.5))
                 return cancellation();
-            OneSpaceFit fit;
-            fit.splines = tensor_fits(*m_sampler, *space);
-            if (fit.splines.empty())
+            std::optional<Attempt> attempt = fit_over(std::move(*space));
+            if (!attempt)
                 break;
-            const double extra = m_request.surcharge ? m_request.surcharge(fit.splines) : 0.0;
-            const ErrorAt seen = seen_error(fit, extra);
             if (cancelled(round, 0.7))
                 return cancellation();
-            const bool worth_proving = seen.error <= m_request.tolerance && m_base.spline();
-            const ErrorAt worst = worth_proving ? proven_error(fit, extra) : seen;
+            if (std::optional<OneSpaceFit> lighter = with_fewer_poles(*attempt, share * left))
+                return std::move(*lighter);
+            const bool worth_proving = attempt->seen.error <= m_request.tolerance && m_base.spline();
+            const ErrorAt worst = worth_proving ? proven_error(*attempt) : attempt->seen;
             if (worst.error <= m_request.tolerance)
-                return fit;
+                return std::move(attempt->fit);
             if (!m_closest || worst.error < m_closest->error)
                 m_closest = worst;
-            if (extra >= m_request.tolerance) // a closer fit would not help
+            if (attempt->extra >= m_request.tolerance) // a closer fit would not help
                 break;
             share *= std::clamp(0.9 * m_request.tolerance / worst.error, 0.3, 0.8);
-            space_before = std::move(space);
+            space_before = std::move(attempt->space);
         }
         return unreached();
     }
 
 private:
+    //! The fits over one space.
+    struct Attempt
+    {
+        FitSpace space;
+        OneSpaceFit fit;
+        double extra = 0.0; //!< what the caller adds to every error
+        ErrorAt seen;       //!< largest deviation between the samples, `extra` included
+    };
+
+    //! \return nothing where the samples do not determine the poles.
+    [[nodiscard]] std::optional<Attempt> fit_over(FitSpace space) const
+    {
+        Attempt attempt{std::move(space), {}, 0.0, {}};
+        attempt.fit.splines = tensor_fits(*m_sampler, attempt.space);
+        if (attempt.fit.splines.empty())
+            return std::nullopt;
+        attempt.extra = m_request.surcharge ? m_request.surcharge(attempt.fit.splines) : 0.0;
+        attempt.seen = seen_error(attempt.fit, attempt.extra);
+        return attempt;
+    }
+
+    //! Where an attempt is much closer than it needs to be, what a wider tolerance of both directions leads to from its
+    //! knots, if that takes fewer poles and is proven.
+    //! \param tolerance of the search that has led to the attempt.
+    [[nodiscard]] std::optional<OneSpaceFit> with_fewer_poles(const Attempt &close, double tolerance) const
+    {
+        if (!m_base.spline() || !(close.seen.error < close_share * m_request.tolerance))
+            return std::nullopt;
+        const double widening = std::min(widest, aimed_share * m_request.tolerance / close.seen.error);
+        std::optional<FitSpace> space =
+            choose_space(*m_sampler, widening * tolerance, m_options, any_poles, &close.space);
+        if (!space || space->poles() > worth_less * close.space.poles())
+            return std::nullopt;
+        std::optional<Attempt> wider = fit_over(std::move(*space));
+        if (!wider || wider->seen.error > easily_proven_share * m_request.tolerance)
+            return std::nullopt;
+        const bool proven = proven_error(*wider, true).error <= m_request.tolerance;
+        return proven ? std::optional<OneSpaceFit>(std::move(wider->fit)) : std::nullopt;
+    }
+
     //! The largest deviation of all distances between the samples of the fit.
-    ErrorAt seen_error(OneSpaceFit &fit, double extra) const
+    [[nodiscard]] ErrorAt seen_error(OneSpaceFit &fit, double extra) const
     {
         ErrorAt seen;
         for (std::size_t k = 0; k < fit.splines.size(); ++k)
@@ -196,13 +245,16 @@ private:
     }
 
     //! The largest proven bound of all distances.
-    ErrorAt proven_error(OneSpaceFit &fit, double extra) const
+    //! \param settle stop at the first rectangle that misses the tolerance: the bound is infinite then.
+    ErrorAt proven_error(Attempt &attempt, bool settle = false) const
     {
+        OneSpaceFit &fit = attempt.fit;
+        const double target = m_request.tolerance - attempt.extra;
         ErrorAt proven;
-        for (std::size_t k = 0; k < fit.splines.size(); ++k)
-            proven = larger(proven, proven_bound(m_request.analysis, fit.splines[k], m_request.distances[k],
-                                                 m_request.tolerance - extra));
-        proven.error += extra;
+        for (std::size_t k = 0; k < fit.splines.size() && proven.error <= m_request.tolerance; ++k)
+            proven = larger(proven,
+                            proven_bound(m_request.analysis, fit.splines[k], m_request.distances[k], target, settle));
+        proven.error += attempt.extra;
         fit.certified_error = proven.error;
         return proven;
     }
@@ -213,8 +265,7 @@ private:
     {
         if (before)
         {
-            constexpr int any = std::numeric_limits<int>::max();
-            const std::optional<FitSpace> closer = choose_space(*m_sampler, tolerance, m_options, any, &*before);
+            const std::optional<FitSpace> closer = choose_space(*m_sampler, tolerance, m_options, any_poles, &*before);
             if (closer && closer->poles() <= most_growth * before->poles())
                 return closer;
             const std::optional<FitSpace> afresh = choose_space(*m_sampler, tolerance, m_options);
