@@ -18,6 +18,8 @@ namespace
 
 constexpr int pieces_per_interval = 8;
 constexpr int least_pieces = 16;
+// An edge may begin before its pcurve, or end behind it, by this part of the pcurve's range: its ends are meant.
+constexpr double end_rounding = 1e-12;
 
 int piece_count(const Geom2dAdaptor_Curve &curve)
 {
@@ -30,8 +32,9 @@ int piece_count(const Geom2dAdaptor_Curve &curve)
 std::vector<double> piece_ends(double first, double last, int count)
 {
     std::vector<double> ends;
-    for (int i = 0; i <= count; ++i)
+    for (int i = 0; i < count; ++i)
         ends.push_back(first + (last - first) * i / count);
+    ends.push_back(last); // rounding must not put it behind the curve's own end
     return ends;
 }
 
@@ -40,7 +43,9 @@ using Arcs = std::vector<ControlPoints>;
 //! Cuts a spline at its knots and the piece ends. False where it goes round or ends early.
 bool cut_spline(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends, std::vector<Arcs> &pieces)
 {
-    if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() || ends.back() > curve.LastParameter())
+    const double slack = end_rounding * (curve.LastParameter() - curve.FirstParameter());
+    if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() - slack ||
+        ends.back() > curve.LastParameter() + slack)
         return false;
     const KnotVector kv = knots_of(curve);
     const ControlPoints poles = weighted_poles(curve);
