@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace laminate_offset
@@ -310,8 +311,10 @@ std::optional<int> CurvePiece::degree(int coordinate, double slack) const
 }
 
 AnalyticCurve::AnalyticCurve(KnotVector knots, std::vector<Eigen::Vector4d> poles, bool rational)
-    : m_knots(std::move(knots)), m_poles(std::move(poles)), m_rational(rational), m_breaks(m_knots.breaks())
+    : m_knots(std::move(knots)), m_poles(std::move(poles)), m_rational(rational)
 {
+    const std::vector<double> ends = m_knots.breaks();
+    m_breaks.assign(ends.begin() + 1, ends.end() - 1);
 }
 
 AnalyticCurve AnalyticCurve::power(const Eigen::Vector3d &a0, const Eigen::Vector3d &a1, const Eigen::Vector3d &a2)
@@ -368,14 +371,22 @@ std::optional<AnalyticCurve> AnalyticCurve::make(const Handle(Geom2d_Curve) & cu
     return curve_of(Geom2dAdaptor_Curve(curve), first, last);
 }
 
+std::vector<double> analytic_ends(const AnalyticCurve &a, double first, double last)
+{
+    std::vector<double> ends{first};
+    for (const double t : a.breaks())
+        if (t > first && t < last)
+            ends.push_back(t);
+    ends.push_back(last);
+    return ends;
+}
+
 std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last)
 {
-    std::vector<double> ends{first, last};
-    for (const AnalyticCurve *curve : {&a, &b})
-        for (const double t : curve->breaks())
-            if (t > first && t < last)
-                ends.push_back(t);
-    std::sort(ends.begin(), ends.end());
+    const std::vector<double> of_a = analytic_ends(a, first, last);
+    const std::vector<double> of_b = analytic_ends(b, first, last);
+    std::vector<double> ends;
+    std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(ends));
     return ends;
 }
 

@@ -94,7 +94,8 @@ public:
     //! A curve that stays at one point.
     static AnalyticCurve point(const Eigen::Vector3d &place);
 
-    //! Parameters between which the curve is analytic, and perhaps some more.
+    //! Parameters between which the curve is analytic, and perhaps some more; not its ends, behind which it goes on as
+    //! the same function.
     [[nodiscard]] const std::vector<double> &breaks() const { return m_breaks; }
     [[nodiscard]] Eigen::Vector3d value(double t) const;
 
@@ -124,7 +125,9 @@ private:
     Eigen::Vector3d m_a2 = Eigen::Vector3d::Zero();
 };
 
-//! The range [first, last] cut where one of the two is no longer the same analytic function; increasing, with both ends.
+//! The range [first, last] cut where the curve is no longer the same analytic function; increasing, with both ends.
+std::vector<double> analytic_ends(const AnalyticCurve &a, double first, double last);
+//! The same where one of two curves is not.
 std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last);
 
 //! The largest of what `cover` (low, high) gives between neighbouring ends; infinite as soon as one is.

@@ -31,6 +31,8 @@ public:
     {
         int span_u = 0;
         int span_v = 0;
+
+        friend bool operator==(const Cell &, const Cell &) = default;
     };
     [[nodiscard]] Cell cell_at(double u, double v) const;
     //! Low and high end of a cell in one direction (0: u, 1: v); infinite where the same function goes on: on

@@ -2,7 +2,6 @@
 #include "edge_curve.h"
 
 #include "curve_breaks.h"
-#include "edge_certificate.h"
 #include "edge_fit.h"
 #include "same_knots.h"
 
@@ -43,8 +42,6 @@ namespace
 
 constexpr int most_rounds = 6;
 constexpr int smooth_rounds = 3;
-constexpr int checks_per_interval = 24;
-constexpr int least_checks = 200;
 // A pcurve counts as isoparametric when it strays from the line by less than this part of its length.
 constexpr double iso_straightness = 1e-12;
 // Part of an edge's tolerance that a parallelogram may be twisted by.
@@ -209,14 +206,6 @@ Handle(Geom_Curve) analytic_curve(const CurveOnSurface &c)
     return {};
 }
 
-RowMatrix sampled(const EdgeTarget &target, const std::vector<double> &parameters, const Eigen::Vector3d &origin)
-{
-    RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        rows.row(static_cast<Eigen::Index>(i)) = (target.value(parameters[i]) - origin).transpose();
-    return rows;
-}
-
 //! The curve over chosen knots and its deviation.
 EdgeCurve judged(const EdgeTarget &target, const KnotVector &knots, const RowMatrix &poles,
                  const Eigen::Vector3d &origin, double tolerance)
@@ -286,7 +275,7 @@ std::optional<EdgeCurve> fitted_curve(const EdgeTarget &target, double tolerance
     problem.tolerance = 0.8 * tolerance;
     problem.min_degree = 4; // cubics hardly ever win by then, and cost a third of the search
     problem.max_degree = 5;
-    problem.sample = [&](const std::vector<double> &parameters) { return sampled(target, parameters, origin); };
+    problem.sample = [&](const std::vector<double> &parameters) { return target.values(parameters, origin); };
     std::vector<double> ends{c.first};
     for (const DataBreak &b : problem.breaks)
         ends.push_back(b.parameter);
@@ -322,95 +311,6 @@ std::optional<EdgeCurve> alike_curve(const EdgeTarget &target, double tolerance,
 }
 
 } // namespace
-
-gp_Pnt CurveOnSurface::value(double t) const
-{
-    const gp_Pnt2d uv = pcurve->Value(t);
-    return surface->Value(uv.X(), uv.Y());
-}
-
-double largest_distance(const Handle(Geom_Curve) & curve, const CurveOnSurface &on_surface)
-{
-    std::vector<double> ends{on_surface.first};
-    if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve))
-        for (int i = 1; i <= spline->NbKnots(); ++i)
-            if (spline->Knot(i) > on_surface.first && spline->Knot(i) < on_surface.last)
-                ends.push_back(spline->Knot(i));
-    ends.push_back(on_surface.last);
-    const GeomAdaptor_Curve in_space(curve);
-    const Geom2dAdaptor_Curve pcurve(on_surface.pcurve);
-    const GeomAdaptor_Surface surface(on_surface.surface);
-    const auto square_at = [&](double t) {
-        const gp_Pnt2d uv = pcurve.Value(t);
-        return in_space.Value(t).SquareDistance(surface.Value(uv.X(), uv.Y()));
-    };
-    double worst = square_at(ends.front());
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    {
-        // short intervals are looked at as closely as long ones: the error has its own peaks in each
-        const double part = (ends[i + 1] - ends[i]) / (on_surface.last - on_surface.first);
-        const int checks = std::max(checks_per_interval, static_cast<int>(std::ceil(least_checks * part)));
-        for (int k = 1; k <= checks; ++k)
-        {
-            const double t = ends[i] + (ends[i + 1] - ends[i]) * k / checks;
-            worst = std::max(worst, square_at(t));
-        }
-    }
-    return std::sqrt(worst);
-}
-
-EdgeTarget::EdgeTarget(const CurveOnSurface &on_surface, const AnalyticSurface *form)
-    : m_on_surface(on_surface), m_form(form),
-      m_pcurve(AnalyticCurve::make(on_surface.pcurve, on_surface.first, on_surface.last))
-{
-}
-
-const TensorSpline *EdgeTarget::spline() const { return m_form ? m_form->spline() : nullptr; }
-
-Eigen::Vector2d EdgeTarget::uv(double t) const
-{
-    if (m_pcurve)
-        return m_pcurve->value(t).head<2>();
-    const gp_Pnt2d uv = m_on_surface.pcurve->Value(t);
-    return {uv.X(), uv.Y()};
-}
-
-Eigen::Vector3d EdgeTarget::value(double t) const
-{
-    const Eigen::Vector2d at = uv(t);
-    if (m_form)
-        return m_form->value(at.x(), at.y(), m_form->cell_at(at.x(), at.y()));
-    const gp_Pnt p = m_on_surface.surface->Value(at.x(), at.y());
-    return {p.X(), p.Y(), p.Z()};
-}
-
-std::optional<double> EdgeTarget::proven(const std::optional<AnalyticCurve> &curve, double target) const
-{
-    if (!curve || !m_form || !m_pcurve)
-        return std::nullopt;
-    const double bound = proven_deviation({*m_form, *m_pcurve, *curve, m_on_surface.first, m_on_surface.last, target});
-    return std::isfinite(bound) ? std::optional<double>(bound) : std::nullopt;
-}
-
-Deviation EdgeTarget::deviation(const Handle(Geom_Curve) & curve, double target) const
-{
-    const auto bound = proven(AnalyticCurve::make(curve, m_on_surface.first, m_on_surface.last), target);
-    return bound ? Deviation{*bound, true} : Deviation{largest_distance(curve, m_on_surface), false};
-}
-
-Deviation EdgeTarget::deviation(const gp_Pnt &point, double target) const
-{
-    const Eigen::Vector3d place(point.X(), point.Y(), point.Z());
-    if (const auto bound = proven(AnalyticCurve::point(place), target))
-        return {*bound, true};
-    double widest = 0.0;
-    for (int i = 0; i <= least_checks; ++i)
-    {
-        const double t = m_on_surface.first + (m_on_surface.last - m_on_surface.first) * i / least_checks;
-        widest = std::max(widest, (value(t) - place).norm());
-    }
-    return {widest, false};
-}
 
 std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance)
 {

@@ -53,12 +53,10 @@ Handle(Geom_BSplineCurve) through_samples(const Geom_BSplineCurve &pattern, cons
     if (!solver)
         return {};
     const Eigen::Vector3d origin = target.value(0.5 * (kv.front() + kv.back()));
-    RowMatrix rows(static_cast<Eigen::Index>(parameters.size()), 3);
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-    {
-        const double w = pattern.IsRational() ? weight_at(kv, pattern, parameters[i]) : 1.0;
-        rows.row(static_cast<Eigen::Index>(i)) = w * (target.value(parameters[i]) - origin).transpose();
-    }
+    RowMatrix rows = target.values(parameters, origin);
+    if (pattern.IsRational())
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            rows.row(static_cast<Eigen::Index>(i)) *= weight_at(kv, pattern, parameters[i]);
     const RowMatrix poles = solver->solve(rows);
     const auto curve = Handle(Geom_BSplineCurve)::DownCast(pattern.Copy());
     for (int i = 1; i <= curve->NbPoles(); ++i)

@@ -51,13 +51,7 @@ std::optional<double> distance_bound(const OffsetEdge &one, const OffsetEdge &ot
     const auto b = AnalyticCurve::make(other.curve, first, last);
     if (!a || !b)
         return std::nullopt;
-    std::vector<double> ends{first, last};
-    for (const AnalyticCurve *curve : {&*a, &*b})
-        for (const double t : curve->breaks())
-            if (t > first && t < last)
-                ends.push_back(t);
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    const std::vector<double> ends = analytic_ends(*a, *b, first, last);
     double worst = 0.0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {
