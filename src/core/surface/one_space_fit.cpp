@@ -26,7 +26,6 @@ constexpr int most_rounds = 8;
 // A fit seen to take less than this part of the tolerance has been searched too closely. A wider search aims at what
 // proofs hold with ease, since one that fails costs more than all the rest.
 constexpr double close_share = 0.5;
-constexpr double aimed_share = 0.65;
 constexpr double easily_proven_share = 0.8;
 constexpr double widest = 2.5;      // times the tolerance before
 constexpr double worth_less = 0.95; // part of the poles that a wider search has to leave
@@ -221,7 +220,7 @@ private:
     {
         if (!m_base.spline() || !(close.seen.error < close_share * m_request.tolerance))
             return std::nullopt;
-        const double widening = std::min(widest, aimed_share * m_request.tolerance / close.seen.error);
+        const double widening = std::min(widest, easily_proven_share * m_request.tolerance / close.seen.error);
         std::optional<FitSpace> space =
             choose_space(*m_sampler, widening * tolerance, m_options, any_poles, &close.space);
         if (!space || space->poles() > worth_less * close.space.poles())
