@@ -34,6 +34,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace laminate_offset
 {
@@ -46,6 +47,9 @@ constexpr int smooth_rounds = 3;
 constexpr double iso_straightness = 1e-12;
 // Part of an edge's tolerance that a parallelogram may be twisted by.
 constexpr double twist_share = 1e-3;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+// The image of a pole takes a dozen roundings of what it is the sum of.
+constexpr double affine_operations = 32.0;
 
 //! A pcurve that runs along u = value or v = value, linearly in its own parameter.
 struct IsoLine
@@ -132,11 +136,30 @@ public:
         map.m_origin = s.Pole(1, 1).XYZ();
         map.m_along_u = s.Pole(2, 1).XYZ() - map.m_origin;
         map.m_along_v = s.Pole(1, 2).XYZ() - map.m_origin;
-        if ((s.Pole(2, 2).XYZ() - map.m_origin - map.m_along_u - map.m_along_v).Modulus() > slack)
+        map.m_twist = (s.Pole(2, 2).XYZ() - map.m_origin - map.m_along_u - map.m_along_v).Modulus();
+        if (map.m_twist > slack)
             return std::nullopt;
-        map.m_along_u /= u1 - map.m_u;
-        map.m_along_v /= v1 - map.m_v;
+        map.m_width = u1 - map.m_u;
+        map.m_height = v1 - map.m_v;
+        map.m_along_u /= map.m_width;
+        map.m_along_v /= map.m_height;
         return map;
+    }
+
+    //! Bound of the distance between the surface, which goes on outside, and the computed image of a pcurve with these
+    //! poles: twist and rounding. It holds at the poles, and so for what they weigh.
+    [[nodiscard]] double deviation(const std::vector<gp_Pnt2d> &poles) const
+    {
+        double along_u = 1.0; // how far the poles go, in sides of the parallelogram
+        double along_v = 1.0;
+        for (const gp_Pnt2d &pole : poles)
+        {
+            along_u = std::max(along_u, std::abs(pole.X() - m_u) / m_width);
+            along_v = std::max(along_v, std::abs(pole.Y() - m_v) / m_height);
+        }
+        const double size = m_origin.Modulus() + (2.0 * std::abs(m_u) + along_u * m_width) * m_along_u.Modulus() +
+                            (2.0 * std::abs(m_v) + along_v * m_height) * m_along_v.Modulus();
+        return along_u * along_v * m_twist + affine_operations * epsilon * size;
     }
 
     [[nodiscard]] gp_Pnt operator()(const gp_Pnt2d &uv) const
@@ -147,39 +170,46 @@ public:
 private:
     double m_u = 0.0;
     double m_v = 0.0;
+    double m_twist = 0.0; //!< [mm]
+    double m_width = 1.0;
+    double m_height = 1.0;
     gp_XYZ m_origin;
     gp_XYZ m_along_u;
     gp_XYZ m_along_v;
 };
 
-//! An affine map takes a spline's poles to those of its image.
-Handle(Geom_Curve) affine_image(const AffineMap &map, const CurveOnSurface &c)
+//! An affine map takes a spline's poles to those of its image; what it is off by is known beforehand.
+std::optional<EdgeCurve> affine_image(const AffineMap &map, const CurveOnSurface &c)
 {
     Handle(Geom2d_Curve) pcurve = c.pcurve;
     while (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(pcurve))
         pcurve = trimmed->BasisCurve();
-    if (!Handle(Geom2d_Line)::DownCast(pcurve).IsNull())
-        return segment(map(pcurve->Value(c.first)), map(pcurve->Value(c.last)), c.first, c.last);
     const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(pcurve);
-    if (spline.IsNull() || spline->IsPeriodic())
-        return {};
+    const bool line = !Handle(Geom2d_Line)::DownCast(pcurve).IsNull();
+    if (!line && (spline.IsNull() || spline->IsPeriodic()))
+        return std::nullopt;
+    std::vector<gp_Pnt2d> own;
+    if (line)
+        own = {pcurve->Value(c.first), pcurve->Value(c.last)};
+    else
+        own.assign(spline->Poles().begin(), spline->Poles().end());
+    const Deviation deviation{map.deviation(own), true};
+    if (line)
+        return EdgeCurve{segment(map(own.front()), map(own.back()), c.first, c.last), deviation};
     TColgp_Array1OfPnt poles(1, spline->NbPoles());
     TColStd_Array1OfReal weights(1, spline->NbPoles());
     for (int i = 1; i <= spline->NbPoles(); ++i)
     {
-        poles(i) = map(spline->Pole(i));
+        poles(i) = map(own[static_cast<std::size_t>(i) - 1]);
         weights(i) = spline->Weight(i);
     }
-    return new Geom_BSplineCurve(poles, weights, spline->Knots(), spline->Multiplicities(), spline->Degree());
+    return EdgeCurve{new Geom_BSplineCurve(poles, weights, spline->Knots(), spline->Multiplicities(), spline->Degree()),
+                     deviation};
 }
 
-//! The exact curve on a spline surface where there is a simple one: the image of any spline on a parallelogram, an
-//! isoparametric curve elsewhere.
-Handle(Geom_Curve) spline_curve(const CurveOnSurface &c, const Geom_BSplineSurface &surface, double tolerance)
+//! An isoparametric curve of a spline surface.
+Handle(Geom_Curve) spline_curve(const CurveOnSurface &c, const Geom_BSplineSurface &surface)
 {
-    if (const std::optional<AffineMap> map = AffineMap::make(surface, twist_share * tolerance))
-        if (Handle(Geom_Curve) image = affine_image(*map, c); !image.IsNull())
-            return image;
     const std::optional<IsoLine> iso = iso_line(c);
     return iso ? iso_curve(surface, *iso, c.first, c.last) : nullptr;
 }
@@ -316,7 +346,10 @@ std::optional<EdgeCurve> exact_curve(const EdgeTarget &target, double tolerance)
 {
     const CurveOnSurface &c = target.on_surface();
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(c.surface);
-    const Handle(Geom_Curve) exact = spline.IsNull() ? analytic_curve(c) : spline_curve(c, *spline, tolerance);
+    if (const auto map = spline.IsNull() ? std::nullopt : AffineMap::make(*spline, twist_share * tolerance))
+        if (std::optional<EdgeCurve> image = affine_image(*map, c); image && image->deviation.bound <= tolerance)
+            return image;
+    const Handle(Geom_Curve) exact = spline.IsNull() ? analytic_curve(c) : spline_curve(c, *spline);
     if (!exact.IsNull())
         if (const Deviation deviation = target.deviation(exact, tolerance); deviation.bound <= tolerance)
             return EdgeCurve{exact, deviation};
