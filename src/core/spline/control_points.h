@@ -19,7 +19,8 @@ using ControlPoints = std::vector<Eigen::Vector3d>;
 //! The poles of a spline, each with its weight.
 ControlPoints weighted_poles(const Geom2d_BSplineCurve &curve);
 
-//! The Bezier piece of one span of a spline, by de Boor's scheme with both ends of the span as arguments.
+//! The Bezier piece of one span of a spline, by de Boor's scheme with both ends of the span as arguments: neighbouring
+//! pieces share their common end to the last bit.
 ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int span);
 
 //! Cuts off what lies before s of [0, 1] (de Casteljau): returned, and the rest remains.
