@@ -6,6 +6,7 @@
 
 #include <laminate_offset/analysis/analytic_form.h>
 #include <laminate_offset/offset_limits.h>
+#include <laminate_offset/surface/offset_surface.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
@@ -150,6 +151,47 @@ TEST(AnalyticForm, WhatIsOnlyNearlyOneIsNone)
     EXPECT_TRUE(none(turned(circle({40, 1e-9, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, -1, 1})) << "off the axis";
     EXPECT_TRUE(none(turned(circle({5, 0, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, -1, 1})) << "a spindle";
     EXPECT_TRUE(none(turned(circle({0, 0, 3}, gp::DY(), gp::DX(), 11.0)), {0.3, 2, 0.3, 2.2})) << "past the pole";
+}
+
+TEST(AnalyticForm, AHalfCircleRevolvedAllButAboutItsCentreIsASphereWithAnError)
+{
+    for (const auto &[off, beside] : {std::pair{1e-10, 0.0}, std::pair{1.6e-8, 2e-9}, std::pair{-1.6e-8, 3e-8},
+                                      std::pair{0.0, 5e-8}, std::pair{9e-8, 0.0}, std::pair{-7e-8, -6e-8}})
+        for (const Rectangle &part : {Rectangle{0.3, 2.0, -1.0, 0.8}, Rectangle{M_PI, 2.0 * M_PI, 0.9, M_PI_2}})
+            for (const double distance : {-2.0, -1e-3, 0.01, 5.0})
+            {
+                SCOPED_TRACE(testing::Message()
+                             << off << ", " << beside << " off the axis, to " << part.v1 << ", at " << distance);
+                const double away = std::hypot(off, beside);
+                const Disguised d{"sphere", turned(circle({off, beside, 3}, -gp::DY(), gp::DX(), 25.0)), part};
+                const TopoDS_Face face = face_on(d);
+                const auto form = analytic_form(read_face(face).value());
+                ASSERT_TRUE(form);
+                EXPECT_NEAR(form->error.point, away, 1e-14);
+                EXPECT_NEAR(form->error.normal, 2.0 * std::abs(beside) / 25.0, 1e-16);
+                const auto result = offset(face, distance, 1e-4);
+                ASSERT_TRUE(result.ok()) << why(result);
+                const OffsetReport &report = result.value().report;
+                EXPECT_EQ(report.surface->type, "sphere");
+                ASSERT_TRUE(report.certified_error && report.edge_error);
+                EXPECT_GE(*report.certified_error, away);
+                EXPECT_LE(*report.certified_error, 2e-7);
+                const Handle(Geom_Surface) made = BRep_Tool::Surface(result.value().face());
+                const Deviation found = deviation(d.surface, made, d.part, distance, 21, form->shift);
+                EXPECT_LE(found.largest, *report.certified_error);
+                EXPECT_GT(found.largest, 0.5 * away) << "the error is real";
+            }
+    const Disguised beside{"sphere", turned(circle({3e-7, 0, 3}, -gp::DY(), gp::DX(), 25.0)), {0.3, 2.0, -1.0, 0.8}};
+    EXPECT_FALSE(analytic_form(read_face(face_on(beside)).value())) << "a spindle";
+    const Disguised tiny{"sphere", turned(circle({1e-8, 0, 3}, -gp::DY(), gp::DX(), 1e-3)), {0.3, 2.0, -1.0, 0.8}};
+    EXPECT_FALSE(analytic_form(read_face(face_on(tiny)).value())) << "off by a part of its radius that counts";
+}
+
+TEST(AnalyticForm, ToleranceBelowTheErrorOfTheFormIsKeptOtherwise)
+{
+    const Disguised d{"sphere", turned(circle({5e-8, 0, 3}, -gp::DY(), gp::DX(), 25.0)), {0.3, 2.0, -1.0, 0.8}};
+    EXPECT_TRUE(exact_offset(read_face(face_on(d)).value(), 1.0, 1e-6));
+    EXPECT_FALSE(exact_offset(read_face(face_on(d)).value(), 1.0, 1e-7));
 }
 
 TEST(AnalyticForm, HasTheSameLimitsInBothPlaces)

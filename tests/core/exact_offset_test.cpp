@@ -62,7 +62,7 @@ TopoDS_Face face_on(const Handle(Geom_Surface) & surface, const Rectangle &part)
 
 Result<OffsetSurface> exact(const TopoDS_Face &face, double distance)
 {
-    const auto result = exact_offset(read_face(face).value(), distance);
+    const auto result = exact_offset(read_face(face).value(), distance, 1e-3);
     if (!result)
         return Failure{Status::NotSupported, Stage::Surface, "no exact offset of this kind", std::nullopt,
                        std::nullopt};
@@ -147,7 +147,7 @@ TEST(ExactOffset, OfDistanceZeroIsTheBase)
 TEST(ExactOffset, OtherSurfacesHaveNone)
 {
     const InputFace panel = read_face(panel_with_hole()).value();
-    EXPECT_FALSE(exact_offset(panel, 1.0).has_value());
+    EXPECT_FALSE(exact_offset(panel, 1.0, 1e-3).has_value());
 }
 
 TEST(ExactOffset, TheWholeFaceIsRightInAllPlaces)

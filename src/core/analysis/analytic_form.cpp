@@ -14,6 +14,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax3.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,9 @@ namespace
 
 // Directions are normalised and points transformed in a few operations each; what differs by more is another shape.
 constexpr double same = 64.0 * std::numeric_limits<double>::epsilon();
+// A circle's centre so near to its axis [mm], and in proportion to its radius, is meant to lie on it: files have rounded it.
+constexpr double meant_on_axis = 1e-7;
+constexpr double meant_on_axis_share = 1e-6;
 // A revolved line that rises less than this is a disc, whose parameters no plane has.
 constexpr double least_rise = 1e-6;
 
@@ -45,7 +49,7 @@ gp_Ax3 axes(const gp_Pnt &origin, const gp_Vec &main, const gp_Vec &x, const gp_
 
 AnalyticForm form(const Handle(Geom_Surface) & surface, double shift_v = 0.0)
 {
-    return {surface, {0.0, shift_v}, {}, true};
+    return {surface, {0.0, shift_v}, {}, true, {}};
 }
 
 std::optional<AnalyticForm> extruded(const Geom_SurfaceOfLinearExtrusion &extrusion)
@@ -139,15 +143,20 @@ private:
     {
         const gp_Pnt centre = circle.Location();
         const gp_Vec normal(circle.Position().Direction());
-        if (std::abs(normal.Dot(m_z)) > same || std::abs(gp_Vec(m_origin, centre).Dot(normal)) > tiny(centre))
+        if (std::abs(normal.Dot(m_z)) > same)
             return std::nullopt;
         const double major = radial(centre).Magnitude();
-        const bool sphere = major <= tiny(centre);
-        if (!sphere && major <= circle.Radius())
-            return std::nullopt; // a spindle passes through its axis
-        const std::optional<gp_Vec> x = sphere ? outwards() : radial(centre).Normalized();
+        const double beside = std::abs(radial(centre).Dot(normal)); // off the plane through the axis
+        const bool exact = major <= tiny(centre);
+        const bool sphere = exact || major <= std::min(meant_on_axis, meant_on_axis_share * circle.Radius());
+        if (!sphere && (beside > tiny(centre) || major <= circle.Radius()))
+            return std::nullopt; // no plane through the axis holds it, or it passes through the axis
+        std::optional<gp_Vec> x = sphere ? outwards() : radial(centre).Normalized();
         if (!x)
             return std::nullopt;
+        if (sphere)
+            *x -= x->Dot(normal) * normal;
+        x->Normalize();
         const gp_Vec a(circle.Position().XDirection());
         const gp_Vec b(circle.Position().YDirection());
         const double start = std::atan2(a.Dot(m_z), a.Dot(*x));
@@ -159,10 +168,13 @@ private:
             return form(new Geom_ToroidalSurface(position, major, circle.Radius()),
                         shift - turn * std::floor((m_box.vmin + shift) / turn));
         const double latitude_shift = shift - turn * std::round((m_middle + shift) / turn);
-        const double end = M_PI_2 * (1.0 + same);
+        const double end = M_PI_2 * (1.0 + same) + (exact ? 0.0 : major / circle.Radius());
         if (m_box.vmin + latitude_shift < -end || m_box.vmax + latitude_shift > end)
             return std::nullopt; // it goes on past a pole
-        return form(new Geom_SphericalSurface(position, circle.Radius()), latitude_shift);
+        AnalyticForm result = form(new Geom_SphericalSurface(position, circle.Radius()), latitude_shift);
+        if (!exact)
+            result.error = {major, 2.0 * beside / circle.Radius(), 0.0, 0.0};
+        return result;
     }
 
     ParameterBox m_box;
@@ -176,7 +188,7 @@ std::optional<AnalyticForm> form_of(const Handle(Geom_Surface) & surface, const 
 {
     // elementary surfaces are these five kinds
     if (surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
-        return AnalyticForm{surface, {0.0, 0.0}, {}, false};
+        return AnalyticForm{surface, {0.0, 0.0}, {}, false, {}};
     if (const auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface))
         return extruded(*extrusion);
     if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))

@@ -3,6 +3,8 @@
 //! Planes, cylinders, cones, spheres and tori, also where a surface of extrusion or revolution is one.
 #pragma once
 
+#include "base_surface.h"
+
 #include "../input/input_face.h"
 
 #include <gp_Vec2d.hxx>
@@ -19,10 +21,14 @@ struct AnalyticForm
     gp_Vec2d shift{0.0, 0.0};     //!< base parameters (u, v) are (u, v) + shift of the form
     ParameterBox box;             //!< of the loops, in the form's parameters
     bool disguised = false;       //!< the base is an extrusion or a revolution, equal to the form up to rounding
+    ModelError error;             //!< how far the base is off the form beyond rounding
 };
 
 //! The form of InputFace::surface. Extruded lines (at a right angle) and circles and revolved lines and circles count
-//! where their directions and centres agree with the form to some units in the last place.
+//! where their directions and centres agree with the form to some units in the last place. A half circle that is revolved
+//! about an axis beside its centre, nearer than points are told apart, counts as a sphere with an error: a centre off by e in
+//! the circle's plane and by p across it moves points by |(e, p)|, and turns the normal S_u x S_v ~ (R cos v + e) n + p cos v y
+//! by 4 p / (3 R) at most where R cos v >= 4 |e|. Nearer to the axis than that the surface is meant to be the sphere's pole.
 //! \return nothing for any other surface.
 std::optional<AnalyticForm> analytic_form(const InputFace &input);
 

@@ -46,7 +46,7 @@ std::optional<AnalyticNearest> closed_form(const InputFace &input, const Handle(
     if (std::optional<AnalyticNearest> result = AnalyticNearest::make(surface, box))
         return result;
     const std::optional<AnalyticForm> form = input.base_distance == 0.0 ? analytic_form(input) : std::nullopt;
-    return form ? AnalyticNearest::make(form->surface, box, form->shift) : std::nullopt;
+    return form && form->error.point == 0.0 ? AnalyticNearest::make(form->surface, box, form->shift) : std::nullopt;
 }
 
 } // namespace

@@ -290,7 +290,7 @@ private:
             const Recipe &recipe = m_recipes[i];
             if (recipe.varying)
                 made[i] = fit_variable_offset({m_input, family, *recipe.varying, tolerance, used(recipe), options});
-            else if (std::optional<OffsetSurface> exact = exact_offset(m_input, recipe.constant))
+            else if (std::optional<OffsetSurface> exact = exact_offset(m_input, recipe.constant, m_options.tolerance))
                 made[i] = *std::move(exact);
             else if (recipe.constant == 0.0)
                 made[i] = offset_surface(analysis, m_input, 0.0, options);

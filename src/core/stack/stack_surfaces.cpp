@@ -120,7 +120,7 @@ Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const Inpu
     if (Result<bool> feasible = at_ends(distances, [&](double d) { return check_distance(analysis, input, d); });
         !feasible)
         return feasible.failure();
-    if (auto exact = all_of(distances, [&](double d) { return exact_offset(input, d); }))
+    if (auto exact = all_of(distances, [&](double d) { return exact_offset(input, d, options.tolerance); }))
         return StackSurfaces{*std::move(exact), false};
     const double tolerance = surface_share * options.tolerance;
     if (auto hidden = all_of(distances, [&](double d) { return hidden_offset(analysis, d, tolerance); }))

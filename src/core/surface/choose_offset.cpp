@@ -76,7 +76,7 @@ std::optional<OffsetSurface> or_base(std::optional<OffsetSurface> best, const Su
 Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const InputFace &input, double distance,
                                      const OffsetOptions &options)
 {
-    if (std::optional<OffsetSurface> exact = exact_offset(input, distance))
+    if (std::optional<OffsetSurface> exact = exact_offset(input, distance, options.tolerance))
         return *std::move(exact);
     if (distance == 0.0)
         return base_itself(input, distance);

@@ -26,6 +26,8 @@ constexpr double rounding_operations = 64.0;
 // An extrusion or revolution agrees with its form to 64 units in the last place for each of the frame's three
 // directions and its origin, and so do the normals.
 constexpr double disguise_operations = 16.0 * 64.0;
+// Part of the tolerance that a base may be off its form.
+constexpr double form_share = 0.1;
 
 //! S_u x S_v points outwards of the kind's right-handed normal, or inwards for a left-handed frame.
 double handedness(const gp_Ax3 &position) { return position.Direct() ? 1.0 : -1.0; }
@@ -101,15 +103,15 @@ double rounding_of(const InputFace &input, double distance)
     return rounding_operations * std::numeric_limits<double>::epsilon() * size;
 }
 
-std::optional<OffsetSurface> exact_offset(const InputFace &input, double distance)
+std::optional<OffsetSurface> exact_offset(const InputFace &input, double distance, double tolerance)
 {
     const std::optional<AnalyticForm> form = analytic_form(input);
-    if (!form)
+    if (!form || form->error.of_offset(distance) > form_share * tolerance)
         return std::nullopt;
     OffsetSurface result;
     result.parameter_shift = form->shift;
     result.geometry = offset_form(*form, distance, result.parameter_shift);
-    double error = rounding_of(input, distance);
+    double error = rounding_of(input, distance) + form->error.of_offset(distance);
     if (form->disguised)
     {
         const gp_Pnt origin = Handle(Geom_ElementarySurface)::DownCast(form->surface)->Location();

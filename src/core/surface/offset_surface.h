@@ -48,9 +48,11 @@ Result<OffsetSurface> offset_surface(const SurfaceAnalysis &analysis, const Inpu
                                      const OffsetOptions &options);
 
 //! The offset of a plane, cylinder, cone, sphere or torus, also where a surface of extrusion or revolution is one,
-//! as the same kind of surface in the same parameters up to a shift. Nothing for any other base.
+//! as the same kind of surface in the same parameters up to a shift. Nothing for any other base, and where the base is
+//! off its form (AnalyticForm::error) by a part of the tolerance that counts.
 //! \param distance as above.
-std::optional<OffsetSurface> exact_offset(const InputFace &input, double distance);
+//! \param tolerance of the face [mm].
+std::optional<OffsetSurface> exact_offset(const InputFace &input, double distance, double tolerance);
 
 //! The offset of a spline base that is a plane, cylinder, cone, sphere or torus to within a small part of the
 //! tolerance, on the base's own knots and weights, less those that are redundant. How the shape was recognised
