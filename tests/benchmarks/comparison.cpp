@@ -18,6 +18,17 @@ constexpr int few_poles = 64; // of OpenCASCADE: up to here we may need a quarte
 constexpr double ratio_when_few = 1.25;
 constexpr double largest_time_ratio = 3.0;
 
+// Other programs can only slow a run down. A ratio above this one is measured anew, both sides, so many times, and of each
+// side the quickest median counts.
+constexpr double doubtful_ratio = 2.0;
+constexpr int repeats = 2;
+
+void take_quicker(Outcome &outcome, const Outcome &again)
+{
+    if (again.made && again.ms < outcome.ms)
+        outcome = again;
+}
+
 double median(std::vector<double> values)
 {
     if (values.empty())
@@ -98,6 +109,11 @@ Comparison compare_one(const BaseFace &base, const Task &task, double limit_s)
     Comparison row{base.name, base.poles, task, {}, {}};
     row.ours = run_in_child([&] { return run_ours(base.face, task); }, limit_s).outcome;
     row.occt = run_in_child([&] { return run_occt(base.face, task); }, limit_s).outcome;
+    for (int i = 0; i < repeats && row.both() && row.time_ratio() > doubtful_ratio; ++i)
+    {
+        take_quicker(row.ours, run_in_child([&] { return run_ours(base.face, task); }, limit_s).outcome);
+        take_quicker(row.occt, run_in_child([&] { return run_occt(base.face, task); }, limit_s).outcome);
+    }
     return row;
 }
 
