@@ -506,3 +506,27 @@ TEST(Certificate, LooksOnlyWhereItIsNeeded)
     EXPECT_GE(everywhere.worst.umax, 1.0);
     EXPECT_GE(everywhere.worst.vmax, 1.0);
 }
+
+TEST(Certificate, ThatOnlyHasToSettleGivesTheSameAnswer)
+{
+    RandomCases random;
+    int proven = 0, refused = 0;
+    for (int i = 0; i < 30; ++i)
+    {
+        const RandomBase base = random_base(random, i % 3 == 0);
+        const double distance = random.sign() * base.size * random.magnitude(1e-4, 1e-2);
+        const TensorSpline offset = fitted(base.spline, distance, 5, 3);
+        const double error = seen(base.spline, offset, distance, 51);
+        const double target = error * random.magnitude(0.3, 3.0) + 1e-11 * base.size;
+        const Certificate whole = certify({base.spline, offset, distance, target, {}});
+        const Certificate settled = certify({base.spline, offset, distance, target, {}, 0.0, true});
+        ASSERT_EQ(settled.proven, whole.proven) << "case " << i;
+        if (whole.proven)
+            EXPECT_EQ(settled.bound, whole.bound);
+        else
+            EXPECT_TRUE(std::isinf(settled.bound)) << "a proof that was ended bounds nothing";
+        ++(whole.proven ? proven : refused);
+    }
+    EXPECT_GE(proven, 5);
+    EXPECT_GE(refused, 5);
+}

@@ -21,7 +21,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 using namespace laminate_offset;
 using namespace test_support;
@@ -170,6 +174,64 @@ TEST(EdgeCurves, ParallelogramsCarryTheImagesOfSplines)
         ASSERT_TRUE(fit);
         EXPECT_NE(poles_of(*fit), arc_poles);
         EXPECT_LE(fit->deviation.bound, tolerance);
+    }
+}
+
+TEST(EdgeTarget, ManyPointsAreThoseOfEachParameter)
+{
+    RandomCases random;
+    const Handle(Geom2d_Curve) circle = new Geom2d_Circle(gp_Ax22d(gp_Pnt2d(3.0, 4.0), gp_Dir2d(1, 0)), 0.8);
+    const Handle(Geom2d_Curve) spline = Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(circle, 0.2, 3.0));
+    const Handle(Geom2d_Curve) line = new Geom2d_Line(gp_Pnt2d(2.1, 3.2), gp_Dir2d(1.0, 0.7));
+    const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), 7.0);
+    const Handle(Geom_BSplineSurface) patch = parallelogram({1, 2, 3}, {9, 1, 0}, {0, 8, 1}, {1, 2, 6}, {2, 4}, {3, 5});
+    patch->IncreaseDegree(3, 2);
+    patch->InsertUKnot(2.9, 2, 1e-9, false);
+    patch->InsertVKnot(4.2, 1, 1e-9, false);
+    patch->SetPole(3, 2, patch->Pole(3, 2).Translated(gp_Vec(0.3, -0.2, 1.0)));
+    for (const Handle(Geom_Surface) & surface : {Handle(Geom_Surface)(patch), cylinder})
+        for (const Handle(Geom2d_Curve) & pcurve : {circle, spline, line})
+        {
+            const double first = pcurve == spline ? spline->FirstParameter() : 0.1;
+            const double last = pcurve == spline ? spline->LastParameter() : 1.5;
+            const auto form = AnalyticSurface::make(surface);
+            const EdgeTarget target({surface, pcurve, first, last}, &*form);
+            for (const int count : {1, 7, 8, 9, 250})
+            {
+                std::vector<double> parameters{first, last};
+                for (int i = 2; i < count; ++i)
+                    parameters.push_back(random.uniform(first, last));
+                std::sort(parameters.begin(), parameters.end());
+                const Eigen::Vector3d origin(1.0, -2.0, 0.5);
+                const RowMatrix rows = target.values(parameters, origin);
+                ASSERT_EQ(rows.rows(), static_cast<Eigen::Index>(parameters.size()));
+                for (std::size_t i = 0; i < parameters.size(); ++i)
+                {
+                    const Eigen::Vector3d at = rows.row(static_cast<Eigen::Index>(i)).transpose() + origin;
+                    const gp_Pnt own = target.on_surface().value(parameters[i]);
+                    EXPECT_LE((at - Eigen::Vector3d(own.X(), own.Y(), own.Z())).norm(), 1e-13 * 20.0);
+                }
+            }
+        }
+}
+
+TEST(EdgeTarget, AnEdgeThatEndsARoundingBehindItsPcurveIsProven)
+{
+    const Handle(Geom2d_Curve) pcurve = Geom2dConvert::CurveToBSplineCurve(
+        new Geom2d_TrimmedCurve(new Geom2d_Circle(gp_Ax22d(gp_Pnt2d(3.0, 4.0), gp_Dir2d(1, 0)), 0.8), 0.2, 3.0));
+    const Handle(Geom_Surface) patch = parallelogram({1, 2, 3}, {9, 1, 0}, {0, 8, 1}, {1, 2, 6}, {2, 4}, {3, 5});
+    const auto form = AnalyticSurface::make(patch);
+    const double low = pcurve->FirstParameter(), high = pcurve->LastParameter();
+    const double ulp = std::numeric_limits<double>::epsilon() * high;
+    for (const auto &[before, behind] :
+         {std::pair{0.0, 0.0}, std::pair{ulp, 0.0}, std::pair{0.0, ulp}, std::pair{3.0 * ulp, 5.0 * ulp}})
+    {
+        const EdgeTarget target({patch, pcurve, low - before, high + behind}, &*form);
+        const auto edge = edge_curve(target, 1e-4);
+        ASSERT_TRUE(edge);
+        EXPECT_TRUE(edge->deviation.proven) << before << " before, " << behind << " behind";
+        EXPECT_LE(edge->deviation.bound, 1e-4);
+        EXPECT_LE(largest_distance(edge->curve, target.on_surface()), edge->deviation.bound);
     }
 }
 
