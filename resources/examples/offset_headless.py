@@ -48,7 +48,7 @@ def load(path: str) -> "App.Document":
     if path.lower().endswith(".fcstd"):
         source = App.openDocument(path)
         shapes = [obj.Shape for obj in source.RootObjects if hasattr(obj, "Shape") and obj.Shape.Faces]
-        base.Shape = Part.makeCompound(shapes)
+        base.Shape = Part.Compound(shapes)
         App.closeDocument(source.Name)
     else:
         base.Shape = Part.read(path)

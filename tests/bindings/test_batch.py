@@ -59,7 +59,7 @@ def leftovers(folder: Path) -> List[str]:
 
 def long_jobs(folder: Path, count: int = 3) -> Path:
     """A quick job and then some that take a while."""
-    heavy = Part.makeCompound([sample_shapes.heavy_face() for _ in range(60)])
+    heavy = Part.Compound([sample_shapes.heavy_face() for _ in range(60)])
     files.write_shape(heavy, str(folder / "many.brep"), "many")
     rows = [f"many.brep,all,{number},,1e-7,long{number}.brep" for number in range(1, count + 1)]
     return table(folder, "wing.step,1,5,,,quick.step", *rows)

@@ -230,7 +230,7 @@ def test_without_freecad_it_says_what_to_do(launcher: Path, tmp_path: Path) -> N
 
 def test_ctrl_c_writes_nothing(launcher: Path, tmp_path: Path) -> None:
     faces = [sample_shapes.heavy_face()] * 40
-    files.write_shape(Part.makeCompound([face.copy() for face in faces]), str(tmp_path / "many.brep"), "many")
+    files.write_shape(Part.Compound([face.copy() for face in faces]), str(tmp_path / "many.brep"), "many")
     command = [str(launcher), "offset", "many.brep", "--face", "all", "--distance", "5", "--tolerance", "1e-7"]
     command += ["-o", "out.brep", "--report", "report.json"]
     process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -36,7 +36,7 @@ def test_a_compound_keeps_its_order(ending: str, tmp_path: Path) -> None:
     radii = [3.0, 9.0, 5.0, 7.0]
     faces = [sample_shapes.trimmed_bspline_face()] + [sample_shapes.cylinder_face(radius) for radius in radii]
     path = str(tmp_path / f"all{ending}")
-    files.write_shape(Part.makeCompound(faces), path, "All")
+    files.write_shape(Part.Compound(faces), path, "All")
     areas = [face.Area for face in files.read_faces(path)]
     if ending == ".iges":  # IGES cuts a full cylinder at its seam or not, as the writer likes
         assert sum(areas) == pytest.approx(sum(face.Area for face in faces), rel=1e-6)

@@ -68,7 +68,7 @@ def test_the_ply_above_comes_down_beside_the_patch() -> None:
 def test_shapes_that_bound_plies() -> None:
     face = plate()
     whole = face.Area
-    ring = Part.makeCompound([disc(0, 0, 90), disc(0, 0, 40)])
+    ring = Part.Compound([disc(0, 0, 90), disc(0, 0, 40)])
     line = Part.makeLine(FreeCAD.Vector(0, -200, 5), FreeCAD.Vector(0, 200, 5))
     sketch = FreeCAD.newDocument("Boundaries").addObject("Part::Feature", "Sketch")
     try:
@@ -248,7 +248,7 @@ def test_the_command_takes_boundaries_from_a_file(
         FreeCAD.closeDocument(document.Name)
     else:
         names = ["1", "2"]
-        files.write_shape(Part.makeCompound([disc(-50, 0, 60), Part.Wire([line])]), str(outlines), "outlines")
+        files.write_shape(Part.Compound([disc(-50, 0, 60), Part.Wire([line])]), str(outlines), "outlines")
     table, output, report = tmp_path / "layup.csv", tmp_path / "plies.brep", tmp_path / "plies.json"
     rows = [("P1", names[0]), ("P2", names[1]), ("P3", names[1]), ("P4", "")]
     lines = "".join(f"{ply},tape,0.5,0,{boundary}\n" for ply, boundary in rows)

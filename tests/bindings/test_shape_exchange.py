@@ -61,7 +61,7 @@ def test_every_kind_of_shape_keeps_its_type(way: str, shape_type: str) -> None:
         "Wire": box.Wires[0],
         "Edge": box.Edges[0],
         "Vertex": box.Vertexes[0],
-        "Compound": Part.makeCompound([box]),
+        "Compound": Part.Compound([box]),
     }[shape_type]
     assert _core.round_trip(shape, way).ShapeType == shape_type
 

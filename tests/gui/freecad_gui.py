@@ -28,18 +28,22 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 
-def run_scenario(name: str, install: str = "option", refusals: Sequence[str] = (), theme: str = "") -> None:
+#: FreeCAD's dark style sheets, of 0.20 and of 1.0.
+_DARK = ("Behave-dark.qss", "FreeCAD Dark.qss")
+
+
+def run_scenario(name: str, install: str = "option", refusals: Sequence[str] = (), dark: bool = False) -> None:
     """Runs scenarios/<name>.py and asserts that it passed and that FreeCAD reported no error.
 
     install: "option" loads the add-on with -M, "user" from the user's Mod folder.
-    theme: one of FreeCAD's style sheets, e.g. "Behave-dark.qss"; its light one when omitted.
+    dark: with FreeCAD's dark theme instead of its light one.
     refusals: parts of the errors that the scenario provokes; each must be reported, and nothing else.
     """
-    out = OUT / f"{name}_{theme.split('.')[0] or install}"
+    out = OUT / f"{name}_{'dark' if dark else install}"
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     settings, log = out / "user.cfg", out / "freecad.log"
-    sheet = f'<FCText Name="StyleSheet">{theme}</FCText>' if theme else ""
+    sheet = f'<FCText Name="StyleSheet">{_dark_theme()}</FCText>' if dark else ""
     settings.write_text(_SETTINGS.replace("<!--theme-->", sheet), encoding="utf-8")
     done = subprocess.run(
         ["freecad", "-u", str(settings), "-s", str(out / "system.cfg"), "--log-file", str(log)]
@@ -56,6 +60,13 @@ def run_scenario(name: str, install: str = "option", refusals: Sequence[str] = (
     told = verdict.read_text(encoding="utf-8") if verdict.exists() else "the scenario did not finish"
     assert done.returncode == 0 and told == "passed", f"{told}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
     _check_log(log.read_text(encoding="utf-8", errors="replace"), refusals)
+
+
+def _dark_theme() -> str:
+    import FreeCAD
+
+    folder = pathlib.Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
+    return next(name for name in _DARK if (folder / name).exists())
 
 
 def _install(how: str, out: pathlib.Path) -> Sequence[str]:

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's hands and eyes inside FreeCAD: select, press, type, look."""
 
+import importlib
 import os
 from typing import Any, Callable, List, Tuple
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
+
+#: Of the PySide that FreeCAD uses, 2 or 6: its own package leaves this part out.
+QTest = importlib.import_module(QtCore.QObject.__module__.replace("QtCore", "QtTest")).QTest
 
 OUT = os.environ["LAMINATE_OFFSET_GUI_OUT"]
 COMMAND = "LaminateOffset_OffsetFace"

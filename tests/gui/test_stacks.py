@@ -42,9 +42,9 @@ def test_preferences_and_languages():
     run_scenario("preferences")
 
 
-@pytest.mark.parametrize("theme", ["", "Behave-dark.qss"])
-def test_tutorial(theme):
-    run_scenario("tutorial", theme=theme)
+@pytest.mark.parametrize("dark", [False, True])
+def test_tutorial(dark):
+    run_scenario("tutorial", dark=dark)
 
 
 def test_missing_core_is_told():

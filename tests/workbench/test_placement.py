@@ -159,6 +159,6 @@ def test_located_face_in_a_compound(doc):
     moved = face.copy()
     moved.Placement = MOVE
     base = doc.addObject("Part::Feature", "Base")
-    base.Shape = Part.makeCompound([face, moved])
+    base.Shape = Part.Compound([face, moved])
     offset = make_offset_face(base, "Face2", 4)
     assert offset.Shape.CenterOfMass.distanceToPoint(MOVE.multVec(App.Vector(5, 5, 4))) < 1e-9

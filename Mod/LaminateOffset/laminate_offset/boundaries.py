@@ -166,7 +166,7 @@ def _checked_point(point: Any) -> Tuple[float, float, float]:
 def _shape(given: Any, name: str) -> "Part.Shape":
     shape = getattr(given, "Shape", given)
     if isinstance(shape, (list, tuple)):
-        shape = Part.makeCompound(list(shape))
+        shape = Part.Compound(list(shape))
     if not isinstance(shape, Part.Shape) or shape.isNull():
         raise TypeError(f"Boundary {name!r} must be a Part shape, a list of edges or an object with a Shape.")
     return shape

@@ -151,7 +151,7 @@ class PlyStack:
 
     def to_shape(self, solids: bool = False) -> "Part.Compound":
         """A compound of the plies' faces, or of their solids, from the tool outwards."""
-        return Part.makeCompound(self.ply_solids() if solids else [ply.face for ply in self.plies])
+        return Part.Compound(self.ply_solids() if solids else [ply.face for ply in self.plies])
 
     def ply_solids(self) -> "Tuple[Part.Solid, ...]":
         """The plies as valid, closed solids, from the tool outwards. In a stack without boundaries neighbours share the

@@ -6,8 +6,7 @@ import time
 import FreeCADGui as Gui
 import laminate_offset
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
-from session import offsets, press, result_is_red, result_text, run_command, screenshot, select, start
+from session import QTest, offsets, press, result_is_red, result_text, run_command, screenshot, select, start
 
 BUTTON = QtGui.QDialogButtonBox
 SECONDS = 30.0

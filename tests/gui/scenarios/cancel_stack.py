@@ -10,8 +10,18 @@ import Part
 from laminate_offset.features.layup import make_layup, set_layup
 from laminate_offset.layup import layup_from_notation
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
-from session import look_at_all, press, result_is_red, result_text, run_command, screenshot, select, start, type_into
+from session import (
+    QTest,
+    look_at_all,
+    press,
+    result_is_red,
+    result_text,
+    run_command,
+    screenshot,
+    select,
+    start,
+    type_into,
+)
 
 BUTTON = QtGui.QDialogButtonBox
 DATA = os.path.join(os.path.dirname(os.environ["LAMINATE_OFFSET_PROJECT_DIR"]), "shared", "data")

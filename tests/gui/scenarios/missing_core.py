@@ -5,8 +5,7 @@ import sys
 
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
-from session import pump, screenshot, start
+from session import QTest, pump, screenshot, start
 
 TOLD = []
 

@@ -7,8 +7,7 @@ import FreeCADGui as Gui
 import laminate_offset
 from laminate_offset.gui import preferences
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
-from session import offsets, press, pump, run_command, screenshot, select, start, widget
+from session import QTest, offsets, press, pump, run_command, screenshot, select, start, widget
 
 BUTTON = QtGui.QDialogButtonBox
 TRANSLATIONS = os.path.join(os.path.dirname(os.path.dirname(laminate_offset.__file__)), "resources", "translations")

@@ -7,10 +7,10 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
 from scenarios.other_commands import only, wavy_face
 from session import (
     OUT,
+    QTest,
     click,
     edit,
     look_at_all,

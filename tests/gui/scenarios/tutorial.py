@@ -8,9 +8,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import ImportGui
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
 from session import (
     OUT,
+    QTest,
     cell,
     click,
     click_in_view,

@@ -65,7 +65,7 @@ def _offset(task: Mapping[str, Any], paths: Mapping[str, str], digests: Mapping[
     one = task["face"] is not None
     made = [outcome for outcome in outcomes if outcome.shape is not None]
     if made:
-        shape = made[0].shape if one else Part.makeCompound([outcome.shape for outcome in made])
+        shape = made[0].shape if one else Part.Compound([outcome.shape for outcome in made])
         write_shape(shape, paths["output"], f"Offset {task['distance']:g} mm")
     reports = [{"face": outcome.number, **outcome.report.to_dict()} for outcome in outcomes]
     state = DONE if len(made) == len(outcomes) else PARTLY if made else FAILED

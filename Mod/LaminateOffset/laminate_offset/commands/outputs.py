@@ -50,7 +50,7 @@ def write_outcomes(
     """
     shapes = [outcome.shape for outcome in outcomes if outcome.shape is not None]
     if shapes:
-        write_shape(shapes[0] if one else Part.makeCompound(shapes), output, label)
+        write_shape(shapes[0] if one else Part.Compound(shapes), output, label)
         print(f"laminate-offset: wrote {output}", file=err)
     if report:
         reports = [{"face": outcome.number, **outcome.report.to_dict()} for outcome in outcomes]

@@ -118,7 +118,7 @@ def place_result(feature: Any, faces: Sequence[Any]) -> None:
     While an object recomputes FreeCAD replaces the location of an assigned shape by the object's Placement, so the
     location is handed over as the Placement.
     """
-    shape = faces[0] if len(faces) == 1 else Part.makeCompound(list(faces))
+    shape = faces[0] if len(faces) == 1 else Part.Compound(list(faces))
     shape = _moved(shape, container_placement(feature).inverse())
     placement = shape.Placement
     feature.Shape = shape

@@ -35,7 +35,7 @@ class CoreSampleFeature(Feature):
         """Finds the foot of the point and lists the plies there."""
         core = result_of(_stack(obj)).core_sample(obj.Point)
         edges = [Part.makeLine(layer.start, layer.end) for layer in core.layers]
-        place_result(obj, [Part.makeCompound(edges)])
+        place_result(obj, [Part.Compound(edges)])
         met = [_entry(layer) for layer in core.layers]
         obj.Foot, obj.Normal = core.foot, core.normal
         obj.Plies = [describe(ply) for ply in met]

@@ -62,7 +62,7 @@ class OffsetLimitsFeature(Feature):
         obj.Proven = all(limits.proven for _, limits in found)
         shown = [mark for mark in marks if mark is not None]
         obj.Places = [mark.point for mark in shown]
-        place_result(obj, [Part.makeCompound([_normal(mark) for mark in shown])])
+        place_result(obj, [Part.Compound([_normal(mark) for mark in shown])])
         accept(obj, _message(marks, obj.Proven), [limits.to_dict() for _, limits in found])
 
     def refused(self, obj: Any) -> None:

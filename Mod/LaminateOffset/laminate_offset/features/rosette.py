@@ -62,7 +62,7 @@ class RosetteFeature(Feature):
     def compute(self, obj: Any) -> None:
         """Finds origin and axes."""
         frame = frame_of(obj)
-        place_result(obj, [Part.makeCompound(_axes(frame, obj.Size.Value))])
+        place_result(obj, [Part.Compound(_axes(frame, obj.Size.Value))])
         obj.Origin, obj.FirstAxis = frame.origin, frame.first
         place, axis = (", ".join(f"{value:.4g}" for value in vector) for vector in (frame.origin, frame.first))
         accept(obj, f"first axis ({axis}) at ({place}) mm", [])

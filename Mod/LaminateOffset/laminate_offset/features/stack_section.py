@@ -48,7 +48,7 @@ class StackSectionFeature(Feature):
         if not cuts:
             raise ValueError("The plane does not cut the stack; change its position or its normal.")
         outlines = [cut.outline() for cut in cuts]
-        place_result(obj, [Part.makeCompound([_cut_face(outline, normal) for outline in outlines])])
+        place_result(obj, [Part.Compound([_cut_face(outline, normal) for outline in outlines])])
         obj.Trace = _vectors([numpy.concatenate([cut.trace, cut.trace[::-1]]) for cut in cuts])
         obj.Corners = _vectors(outlines)
         obj.Cuts = [number for cut, outline in zip(cuts, outlines) for number in (cut.number, len(outline))]

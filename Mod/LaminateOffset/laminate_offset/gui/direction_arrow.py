@@ -7,6 +7,7 @@ import FreeCAD as App
 import numpy
 
 from .. import _core
+from .scene import scene_graph
 
 _COLOUR = (0.54, 0.89, 0.20)
 _HEAD = 0.3
@@ -39,7 +40,7 @@ class DirectionArrow:
     """Arrows in one 3-D view, one a face. They can not be picked."""
 
     def __init__(self, view: Any):
-        self._scene = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
+        self._scene = scene_graph(view)
         self._node = None
         self._arrows: List["_Arrow"] = []
         self._faces: List[Any] = []

@@ -15,6 +15,7 @@ from ..features.fold_region import FoldRegion
 from ..features.offset_limits import Mark
 from ..view_settings import OFFSET_LOOK
 from .refusal_mark import ORANGE, RED, fold, marks
+from .scene import scene_graph
 
 _LINE = (0.10, 0.22, 0.40)
 
@@ -37,7 +38,7 @@ class Preview:
     """The preview in one 3-D view. It can not be picked."""
 
     def __init__(self, view: Any):
-        self._scene = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
+        self._scene = scene_graph(view)
         self._node = None
 
     def show(self, pictures: List[Drawing], limits: List[Mark]) -> None:

@@ -10,6 +10,7 @@ from ...features.stateless import StatelessProxy
 from ...view_settings import Look
 from ..refusal_mark import RefusalMark
 from ..resources import icon
+from ..scene import root_node
 
 progress.install(progress_dialog.run)
 
@@ -33,7 +34,7 @@ class ResultViewProvider(StatelessProxy):
     def attach(self, vobj: Any) -> None:
         """Called by FreeCAD at creation and after loading."""
         self.Object = vobj.Object
-        self._mark = RefusalMark(vobj.RootNode)
+        self._mark = RefusalMark(root_node(vobj))
 
     def restored(self, vobj: Any) -> None:
         """Called when a document has been opened, with all its objects."""
