@@ -564,6 +564,10 @@
         <translation>Grenze</translation>
     </message>
     <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
         <source>On</source>
         <translation>An</translation>
     </message>
@@ -907,6 +911,18 @@
     <message>
         <source>Length of a ramp over its height where plies end</source>
         <translation>Länge einer Rampe zu ihrer Höhe, wo Lagen enden</translation>
+    </message>
+    <message>
+        <source>Boundary gap</source>
+        <translation>Randabstand</translation>
+    </message>
+    <message>
+        <source>Largest distance of a boundary from the face</source>
+        <translation>Größter Abstand einer Grenze von der Fläche</translation>
+    </message>
+    <message>
+        <source>0 mm: a quarter of the boundary&apos;s size</source>
+        <translation>0 mm: ein Viertel der Größe der Grenze</translation>
     </message>
     <message>
         <source>Surface</source>

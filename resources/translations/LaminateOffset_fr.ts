@@ -564,6 +564,10 @@
         <translation>Contour</translation>
     </message>
     <message>
+        <source>Rosette</source>
+        <translation>Rosette</translation>
+    </message>
+    <message>
         <source>On</source>
         <translation>Actif</translation>
     </message>
@@ -907,6 +911,18 @@
     <message>
         <source>Length of a ramp over its height where plies end</source>
         <translation>Longueur d&apos;une rampe sur sa hauteur où des plis finissent</translation>
+    </message>
+    <message>
+        <source>Boundary gap</source>
+        <translation>Écart du contour</translation>
+    </message>
+    <message>
+        <source>Largest distance of a boundary from the face</source>
+        <translation>Plus grande distance d&apos;un contour à la face</translation>
+    </message>
+    <message>
+        <source>0 mm: a quarter of the boundary&apos;s size</source>
+        <translation>0 mm : un quart de la taille du contour</translation>
     </message>
     <message>
         <source>Surface</source>

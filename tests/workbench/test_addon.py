@@ -76,6 +76,13 @@ def test_gui_modules_are_used_inside_gui_only():
         assert not found, f"{path.name} imports {found.group(1)}"
 
 
+def test_compounds_are_made_in_the_way_that_needs_no_application():
+    """Part.makeCompound ends plain Python with FreeCAD 1.0; Part.Compound does not."""
+    sources = list((ADDON / "laminate_offset").rglob("*.py"))
+    assert any("Part.Compound(" in path.read_text("utf-8") for path in sources)
+    assert not [path.name for path in sources if "makeCompound" in path.read_text("utf-8")]
+
+
 _CREATE_WITHOUT_GUI = """
 import sys
 import FreeCAD as App

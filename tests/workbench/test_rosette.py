@@ -150,6 +150,19 @@ def test_rows_name_rosettes_by_label(doc, plate):
     assert rosette_for_all(stack).direction == pytest.approx((0, 1, 0))
 
 
+def test_rows_that_name_no_rosette_of_the_document_are_told(doc, plate):
+    layup = make_layup(doc)
+    set_layup(layup, Layup((Ply("P1", "A", 0.2, 0.0, rosette="Flange"),)))
+    doc.recompute()
+    stack = make_ply_stack(plate, "Face1", layup, output=OUTPUTS[1])
+    assert stack.Status == "ok" and "'Flange'" in stack.Message and near(plies_of(stack)[0].FibreDirection, (0, 0, 0))
+    make_rosette(plate, "Face1", (1, 1, 0), (0, 1, 0)).Label = "Flange"
+    link_rosettes(stack)
+    doc.recompute()
+    doc.recompute()
+    assert "Flange" not in stack.Message and near(plies_of(stack)[0].FibreDirection, (0, 1, 0))
+
+
 def test_exports_take_its_axes(doc, plate, tmp_path):
     layup = make_layup(doc, layup_from_notation("[0/90]", "IM7-8552-134"))
     stack = make_ply_stack(plate, "Face1", layup)

@@ -12,6 +12,7 @@ import numpy
 import Part
 import pytest
 from laminate_offset.features.contour import zero_curves
+from laminate_offset.features.core_sample import make_core_sample
 from laminate_offset.features.curvature_map import SHOWN, make_curvature_map, shown_values
 from laminate_offset.features.exploded import exploded, usual_direction, usual_factor
 from laminate_offset.features.fold_region import fold_region
@@ -335,15 +336,38 @@ def test_section_that_misses_is_refused(doc, stack):
 
 
 def test_section_in_a_moved_container(doc, stack):
+    """FreeCAD takes the stack and its face along; the plane stays where it is in the document."""
     inside = doc.addObject("App::Part", "Inside")
     inside.Placement = App.Placement(App.Vector(100, 5, 0), App.Rotation(App.Vector(0, 0, 1), 90))
+    along_y = make_stack_section(stack, (0, 1, 0), 20).Shape.Faces[0].CenterOfMass
     cut = make_stack_section(stack, (1, 0, 0), 30)
-    alone = cut.Shape.Faces[0].CenterOfMass
     inside.addObject(cut)
-    cut.touch()
+    assert stack in inside.Group
+    cut.Position = 80
     doc.recompute()
-    assert inside.Placement.multVec(cut.Shape.Faces[0].CenterOfMass).isEqual(alone, 1e-6)
-    assert abs(alone.x - 30) < 1e-9 and alone.Length > 30
+    assert cut.Status == "ok" and cut.PlyCount == 6, cut.Message
+    centre = cut.Shape.Faces[0].CenterOfMass
+    assert centre.isEqual(along_y, 1e-6) and abs(inside.Placement.multVec(centre).x - 80) < 1e-9
+
+
+def test_sections_and_samples_go_along_with_a_stack_that_a_container_takes_in(doc, stack):
+    """FreeCAD takes the lay-up face along, and recomputes nothing: what was computed before holds no longer."""
+    cut, core = make_stack_section(stack, (1, 0, 0), 30), make_core_sample(stack, (30, 30, 50))
+    centre, foot = cut.Shape.Faces[0].CenterOfMass, App.Vector(core.Foot)
+    ply = result_of(stack).plies[0].face.CenterOfMass
+    container = doc.addObject("App::Part", "Container")
+    container.Placement = App.Placement(App.Vector(100, 5, 0), App.Rotation(App.Vector(0, 0, 1), 90))
+    container.addObject(stack)
+    stack.purgeTouched()
+    moved = container.Placement.multVec
+    assert result_of(stack).plies[0].face.CenterOfMass.isEqual(moved(ply), 1e-6)
+    cut.Normal, cut.Position = App.Vector(0, 1, 0), 35
+    core.Point = moved(App.Vector(30, 30, 50))
+    doc.recompute()
+    assert cut.Status == core.Status == "ok", cut.Message + core.Message
+    assert cut in container.Group and cut.PlyCount == 6
+    assert cut.Shape.Faces[0].CenterOfMass.isEqual(centre, 1e-6), "in the container it is what it was outside"
+    assert core.PlyCount == 6 and core.Foot.isEqual(moved(foot), 1e-6)
 
 
 def test_usual_plane_meets_a_stack_in_a_moved_container(doc, wavy):

@@ -7,10 +7,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
 from dragging import drag_row
 from session import (
     OUT,
+    QTest,
     cell,
     click,
     click_in_view,
@@ -114,8 +114,8 @@ def rows_are_moved(layup) -> None:
     drag_row(tree, 1, 0, above=True)
     assert names() == ["P4", "P2", "P3", "P1"], names()
     moved = tree.topLevelItem(3)
-    assert [moved.text(column) for column in range(6)] == ["P1", "AS4-8552S-PW-193", "", "45", "1", ""]
-    assert moved.checkState(6) == QtCore.Qt.Checked and moved.flags() & DRAGGED
+    assert [moved.text(column) for column in range(7)] == ["P1", "AS4-8552S-PW-193", "", "45", "1", "", ""]
+    assert moved.checkState(7) == QtCore.Qt.Checked and moved.flags() & DRAGGED
     assert widget("total", QtGui.QLabel).text() == "8 plies, 1.172 mm", widget("total", QtGui.QLabel).text()
     press(BUTTON.Cancel)
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A rosette is picked on a face and turned; a stack counts its angles from it."""
+"""A rosette is picked on a face and turned; a stack counts its angles from it, and a ply of the table from another one."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
-from PySide2.QtTest import QTest
 from scenarios.other_commands import only, wavy_face
 from session import (
+    QTest,
+    cell,
     click_in_view,
     edit,
     look_at_all,
@@ -35,6 +36,7 @@ def run() -> None:
     look_at_all()
     rosette = picked(doc, base)
     stack = used(doc, base, rosette)
+    named_in_the_table(doc, base, stack)
     undone(doc, stack)
 
 
@@ -88,6 +90,27 @@ def used(doc, base, rosette):
     (ply,) = stack.ViewObject.Proxy.claimChildren()
     assert stack.Rosette == rosette and ply.FibreDirection.getAngle(rosette.FirstAxis) < 1e-9
     return stack
+
+
+def named_in_the_table(doc, base, stack) -> None:
+    """A row of the table names another rosette, which the table offers; the stack of the layup follows."""
+    from laminate_offset.features.rosette import make_rosette
+
+    flange = make_rosette(base, "Face1", (90, 20, 0), (0, 1, 0))
+    flange.Label = "Flange"
+    edit(stack.Layup)
+    tree = widget("rows", QtGui.QTreeWidget)
+    box = tree.itemDelegateForColumn(6).createEditor(tree.viewport(), None, None)
+    assert [box.itemText(row) for row in range(box.count())] == ["Rosette", "Flange"]
+    box.deleteLater()
+    cell(0, 6, "Flange")
+    screenshot("table")
+    press(BUTTON.Ok)
+    (ply,) = stack.ViewObject.Proxy.claimChildren()
+    assert stack.Rosettes == [flange] and ply.FibreDirection.getAngle(flange.FirstAxis) < 1e-9
+    doc.undo()
+    assert stack.Rosettes == [] and ply.FibreDirection.getAngle(stack.Rosette.FirstAxis) < 1e-9
+    doc.removeObject(flange.Name)
 
 
 def undone(doc, stack) -> None:

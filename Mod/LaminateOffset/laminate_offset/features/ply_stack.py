@@ -48,7 +48,7 @@ class PlyStackFeature(Feature):
             "App::PropertyLength",
             "BoundaryGap",
             "Stack",
-            "Largest distance of a boundary from the face; 0: a quarter of its size",
+            "Largest distance of a boundary from the face; 0: a quarter of the boundary's size",
             0.0,
         ),
         Property("App::PropertyLength", "Tolerance", "Stack", "Largest deviation of every surface", 1e-3),
@@ -78,7 +78,7 @@ class PlyStackFeature(Feature):
         check_rosettes(obj)
         stack = _stack(obj)
         place_result(obj, [stack.to_shape(solids=obj.Solids)])
-        accept(obj, stack.summary(), stack.ply_reports())
+        accept(obj, stack.summary() + _unknown_rosettes(obj), stack.ply_reports())
         obj.Thickness = stack.report["thickness"]
         obj.PlyCount = len(stack.plies)
         obj.CertifiedError = _figure(stack.report["certified_error"])
@@ -212,6 +212,15 @@ def rosette_for_all(stack: Any) -> Any:
     return rosettes_of(stack).get(names.pop()) if len(names) == 1 else None
 
 
+def _unknown_rosettes(stack: Any) -> str:
+    """The end of a message for rows that name rosettes which are not linked: a table may come without them."""
+    names = {ply.ply.rosette for ply in layup_of(stack.Layup).physical_plies() if ply.ply.rosette}
+    unknown = sorted(names - set(rosettes_of(stack)))
+    if not unknown:
+        return ""
+    return f"; fibre directions are unknown where rows name {', '.join(map(repr, unknown))}: make a rosette with that label"
+
+
 def _fibre_direction(stack: Any, number: int, angle: float) -> Any:
     """Of a ply where its rosette is; zero without a rosette."""
     rosette = rosettes_of(stack).get(layup_of(stack.Layup).physical_plies()[number - 1].ply.rosette)
@@ -245,21 +254,28 @@ def ply_reports(stack: Any) -> List[Dict[str, Any]]:
 def result_of(stack: Any) -> Any:
     """The laminate_offset.PlyStack behind a stack object that is not refused; made again after a document was loaded."""
     found = _results.get((stack.Document.Name, stack.Name))
-    if found is None or found[0] != stack.ReportJson:
+    if found is None or found[0] != _state(stack):
         return _remember(stack, _stack(stack))
     return found[1]
 
 
-#: The latest results with their reports, by document and object.
-_results: "OrderedDict[Tuple[str, str], Tuple[str, Any]]" = OrderedDict()
+#: The latest results with the states that they belong to, by document and object.
+_results: "OrderedDict[Tuple[str, str], Tuple[Any, Any]]" = OrderedDict()
 _RESULTS = 4
 
 
 def _remember(stack: Any, result: Any) -> Any:
-    _results[stack.Document.Name, stack.Name] = (stack.ReportJson, result)
+    _results[stack.Document.Name, stack.Name] = (_state(stack), result)
     while len(_results) > _RESULTS:
         _results.popitem(last=False)
     return result
+
+
+def _state(stack: Any) -> Any:
+    """What a result holds for: its report, and the place of the lay-up face. A container that takes in a stack moves the face
+    without a recompute of the stack."""
+    ((_, face),) = linked_faces(stack.Base)
+    return stack.ReportJson, face.Placement.Matrix.A
 
 
 def _stack(obj: Any) -> Any:

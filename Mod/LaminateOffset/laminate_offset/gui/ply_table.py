@@ -7,10 +7,10 @@ from typing import Any, Callable, Dict, Iterable, List, Sequence
 from PySide import QtCore, QtGui
 
 #: Columns of the table and of the document's entries.
-COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "boundary", "active")
-NAME, MATERIAL, THICKNESS, ANGLE, COUNT, BOUNDARY, ACTIVE = range(7)
+COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "boundary", "rosette", "active")
+NAME, MATERIAL, THICKNESS, ANGLE, COUNT, BOUNDARY, ROSETTE, ACTIVE = range(8)
 
-_WIDTHS = (50, 112, 46, 46, 44, 64, 26)
+_WIDTHS = (50, 112, 46, 46, 44, 64, 58, 26)
 
 ANGLES = (0, 45, -45, 90, 30, -30, 60, -60)
 
@@ -27,20 +27,24 @@ _KEPT = QtCore.Qt.UserRole
 
 
 class PlyTable:
-    """The rows of a layup in a QTreeWidget, as texts: what they mean is checked by the layup's own reader."""
+    """The rows of a layup in a QTreeWidget, as texts: what they mean is checked by the layup's own reader.
 
-    def __init__(self, tree: Any, library: List[str], changed: Callable[[], None]):
+    library, rosettes: the names that are offered for materials and rosettes.
+    """
+
+    def __init__(self, tree: Any, library: List[str], rosettes: List[str], changed: Callable[[], None]):
         self._tree = tree
         self._library = library
         self._own: List[str] = []
         self._changed = changed
         self._warning = tree.style().standardIcon(QtGui.QStyle.SP_MessageBoxWarning)
-        self._delegates = [
-            ChoiceDelegate(tree, self._materials),
-            ChoiceDelegate(tree, lambda: [f"{a}" for a in ANGLES]),
-        ]
-        tree.setItemDelegateForColumn(MATERIAL, self._delegates[0])
-        tree.setItemDelegateForColumn(ANGLE, self._delegates[1])
+        self._delegates = {
+            MATERIAL: ChoiceDelegate(tree, self._materials),
+            ANGLE: ChoiceDelegate(tree, lambda: [f"{a}" for a in ANGLES]),
+            ROSETTE: ChoiceDelegate(tree, lambda: rosettes),
+        }
+        for column, delegate in self._delegates.items():
+            tree.setItemDelegateForColumn(column, delegate)
         tree.setEditTriggers(
             QtGui.QAbstractItemView.DoubleClicked
             | QtGui.QAbstractItemView.EditKeyPressed
@@ -222,6 +226,6 @@ def _text(value: Any) -> str:
 
 def _column(name: str) -> int:
     """The column of a problem, which names a document's key or a ply's field; the first when it has none here."""
-    fields = ("name", "material", "thickness", "angle", "count", "boundary", "active")
+    fields = ("name", "material", "thickness", "angle", "count", "boundary", "rosette", "active")
     names = COLUMNS if name in COLUMNS else fields
     return names.index(name) if name in names else NAME

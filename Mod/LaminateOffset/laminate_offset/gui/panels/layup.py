@@ -5,9 +5,12 @@ import json
 from typing import Any, Dict, List
 
 from ...features.layup import read_rows, set_layup
+from ...features.ply_stack import PlyStackFeature, link_boundaries, link_rosettes
+from ...features.rosette import RosetteFeature
 from ...layup import LayupError, materials
 from ...layup.documents import FORMAT, VERSION, layup_document
 from ..commands import layup_files
+from ..commands.base import all_of
 from ..ply_table import ANGLES, PlyTable
 from ..texts import translate
 from . import base
@@ -36,7 +39,8 @@ class LayupPanel(FeaturePanel):
     def __init__(self, feature: Any):
         self._own: List[Dict[str, Any]] = []
         super().__init__(feature)
-        self._table = PlyTable(self.form.rows, list(materials()), self.changed)
+        rosettes = [rosette.Label for rosette in all_of(RosetteFeature, self._doc)]
+        self._table = PlyTable(self.form.rows, list(materials()), rosettes, self.changed)
         self.form.angles.addItem(translate("LayupPanel", "Angle..."))
         self.form.angles.addItems([f"{angle}\N{DEGREE SIGN}" for angle in ANGLES])
         self.form.angles.activated.connect(self._angle_chosen)
@@ -70,13 +74,17 @@ class LayupPanel(FeaturePanel):
         self.tell(layup.notation() if count else translate("LayupPanel", "No ply is active."))
 
     def compute(self, *_checked: Any) -> bool:
-        """Stores the table, if it is right."""
+        """Stores the table, if it is right, and links what its rows name to the stacks of the layup."""
         try:
             set_layup(self._feature, self._layup())
         except LayupError as error:
             self.tell(str(error), refused=True)
             return False
         self._doc.recompute([self._feature])
+        for stack in all_of(PlyStackFeature, self._doc):
+            if stack.Layup == self._feature:
+                link_boundaries(stack)
+                link_rosettes(stack)
         return self._feature.Status == "ok"
 
     def _layup(self) -> Any:

@@ -32,7 +32,7 @@ class PlyStackPanel(FacePanel):
 
     FORM = "PlyStackPanel"
     MANY = False
-    LENGTHS = {"tolerance": "Tolerance"}
+    LENGTHS = {"tolerance": "Tolerance", "boundaryGap": "BoundaryGap"}
     TICKS = {"solids": "Solids"}
     CHOICES = {"surface": "Surface", "output": "Output", "colours": "Colours"}
 
