@@ -23,7 +23,7 @@ if(LAMINATE_OFFSET_BUILD_PYTHON)
     )
 endif()
 list(JOIN laminate_offset_depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pivy, python3-tqdm") # ply books, the direction arrow, the progress bar
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib, python3-pivy, python3-tqdm") # HDF5 files, ply books, the direction arrow, the progress bar
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libocct-data-exchange-dev, libeigen3-dev, libtbb-dev, nlohmann-json3-dev, libfmt-dev")
 
 include(CPack)

@@ -292,6 +292,10 @@
         <translation>CalculiX-Schalenquerschnitt (*.inp)</translation>
     </message>
     <message>
+        <source>HDF5 composite CAE (*.h5)</source>
+        <translation>HDF5 Composite CAE (*.h5)</translation>
+    </message>
+    <message>
         <source>Ply book (*.html)</source>
         <translation>Lagenbuch (*.html)</translation>
     </message>

@@ -292,6 +292,10 @@
         <translation>Section de coque CalculiX (*.inp)</translation>
     </message>
     <message>
+        <source>HDF5 composite CAE (*.h5)</source>
+        <translation>HDF5 Composite CAE (*.h5)</translation>
+    </message>
+    <message>
         <source>Ply book (*.html)</source>
         <translation>Livre des plis (*.html)</translation>
     </message>

@@ -105,7 +105,7 @@ def test_everything_public_has_a_docstring() -> None:
 def test_nothing_is_offered_that_is_not_there_yet() -> None:
     names = "Boundary CoreLayer CoreSample CurveProjection ExtensionReport ExtensionResult Layup LayupError "
     names += "MassProperties Material MaterialSolid MaterialTotal NearestPoints OffsetError OffsetLimits OffsetReport "
-    names += "OffsetResult PhysicalPly Ply PlyProperties PlyStack Rosette StackPly export_calculix export_ply_book extend_face layup_from_notation "
+    names += "OffsetResult PhysicalPly Ply PlyProperties PlyStack Rosette StackPly export_calculix export_composite_cae export_ply_book extend_face layup_from_notation "
     names += "materials nearest_point offset_face offset_limits project_curve read_layup read_material "
     names += "shape_exchange stack_plies"
     assert sorted(lo.__all__) == names.split()

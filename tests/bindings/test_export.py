@@ -499,6 +499,6 @@ def test_the_documentation_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     monkeypatch.chdir(tmp_path)
     (example,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     exec(compile(example, "exports.md", "exec"), {})
-    written = ["book.html", "plies.FCStd", "plies.csv", "plies.step", "section.inp"]
+    written = ["book.html", "layup.h5", "plies.FCStd", "plies.csv", "plies.step", "section.inp"]
     assert sorted(os.listdir(tmp_path)) == sorted([*written, "resources"])
     assert all(f"`{ending}`" in text for ending in FORMATS if ending not in (".fcstd", ".htm")) and "`.FCStd`" in text

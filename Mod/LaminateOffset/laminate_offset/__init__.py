@@ -40,7 +40,7 @@ from .boundaries import Boundary
 from .core_sample import CoreLayer, CoreSample
 from .errors import OffsetError
 from .exchange import select_at_import, shape_exchange
-from .export import export_calculix, export_ply_book
+from .export import export_calculix, export_composite_cae, export_ply_book
 from .layup import (
     Layup,
     LayupError,
@@ -85,6 +85,7 @@ __all__ = [
     "Rosette",
     "StackPly",
     "export_calculix",
+    "export_composite_cae",
     "export_ply_book",
     "extend_face",
     "layup_from_notation",

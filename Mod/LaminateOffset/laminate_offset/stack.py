@@ -246,7 +246,8 @@ class PlyStack:
         Args:
             path: the name's ending decides. .step and .stp hold an assembly with one part a ply, .FCStd a part with one
                 object a ply, both with names and colours by angle; .iges, .igs, .brep and .brp the bare shapes; .csv the
-                table of the plies; .html the ply book; .inp the section of a shell for CalculiX.
+                table of the plies; .html the ply book; .inp the section of a shell for CalculiX; .h5 and .hdf5 the
+                layup on meshes, in the layout "HDF5 composite CAE".
             solids: the plies are written as solids, not as faces.
             schema: of STEP files: "AP214" or "AP242".
 

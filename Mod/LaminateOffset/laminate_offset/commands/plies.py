@@ -9,6 +9,7 @@ from ..each_face import choose, refusal_line
 from ..errors import OffsetError
 from ..export import export_ply_book
 from ..export.calculix import check_section
+from ..export.composite_cae import require_h5py
 from ..export.fibres import ONE_ROSETTE
 from ..export.pictures import require_matplotlib
 from ..export.step import SCHEMAS
@@ -23,8 +24,8 @@ from .bar import Bar
 from .boundaries import add_boundaries, boundary_arguments
 from .outputs import check_results
 
-# Options that write a text about the stack, and the endings of its file.
-TEXTS = {"book": ".html", "table": ".csv", "calculix": ".inp"}
+# Options that write something else than shapes, and the endings of its file.
+TEXTS = {"book": ".html", "table": ".csv", "calculix": ".inp", "hdf5": ".h5"}
 
 
 def add_to(commands: Any) -> None:
@@ -50,6 +51,7 @@ def add_to(commands: Any) -> None:
     add("--book", metavar="BOOK.html", help="write the ply book: figures and a picture of every ply")
     add("--table", metavar="PLIES.csv", help="write the table of the plies")
     add("--calculix", metavar="FILE.inp", help="write the section of a shell for CalculiX")
+    add("--hdf5", metavar="FILE.h5", help="write the layup on meshes, in the layout HDF5 composite CAE")
     add_report(parser, "the stack's report, with one entry for every ply,")
 
 
@@ -97,6 +99,8 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
             raise FileError(f"--{option}: {path}: the name must end in {ending}.")
     if arguments.book is not None:
         require_matplotlib()
+    if arguments.hdf5 is not None:
+        require_h5py()
     texts = [getattr(arguments, option) for option in TEXTS]
     sources = [arguments.input, arguments.layup] + ([arguments.boundaries] if arguments.boundaries else [])
     check_results(sources, [arguments.output, arguments.report, *texts])
@@ -107,7 +111,7 @@ def _check_layup(arguments: argparse.Namespace, layup: Layup) -> None:
     plies = layup.physical_plies()
     if arguments.calculix is not None:
         check_section(plies)
-    if arguments.book is not None:
+    if arguments.book is not None or arguments.hdf5 is not None:
         check_one_rosette(plies, ONE_ROSETTE)
 
 

@@ -6,6 +6,7 @@ A stack here is a PlyStack. Every file is written in one step, so that there is 
 
 from .book import export_ply_book
 from .calculix import export_calculix
+from .composite_cae import export_composite_cae
 from .formats import FORMATS, export_stack
 
-__all__ = ["FORMATS", "export_calculix", "export_ply_book", "export_stack"]
+__all__ = ["FORMATS", "export_calculix", "export_composite_cae", "export_ply_book", "export_stack"]

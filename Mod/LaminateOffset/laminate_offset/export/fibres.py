@@ -38,14 +38,15 @@ def axes_of(stack: "PlyStack", rosette: Optional[Rosette] = None) -> Axes:
     """
     check_one_rosette((ply.ply for ply in stack.plies), ONE_ROSETTE)
     face = stack.base_face
-    chosen = _usual_rosette(face) if rosette is None else rosette
+    chosen = usual_rosette(face) if rosette is None else rosette
     uv = nearest_point(face, [chosen.origin]).uv
     _, (normal,), _ = _core.evaluate_face(face, uv)
     (first,) = directions_on(face, uv, chosen, 0.0)
     return Axes(first, numpy.cross(normal, first), normal)
 
 
-def _usual_rosette(face: Any) -> Rosette:
+def usual_rosette(face: Any) -> Rosette:
+    """On the middle of a face's parameters, along the model's x axis, or y where x stands too steeply on it there."""
     u_first, u_last, v_first, v_last = face.ParameterRange
     uv = numpy.array([[0.5 * (u_first + u_last), 0.5 * (v_first + v_last)]])
     ((x, y, z),), (normal,), _ = _core.evaluate_face(face, uv)

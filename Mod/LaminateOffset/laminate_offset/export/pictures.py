@@ -17,6 +17,7 @@ from ..ply_colours import Colour, angle_colour
 from ..replacing import FileError
 from ..rosette import Rosette
 from .fibres import Array, Axes, axes_of, fibre_directions
+from .triangles import crossed, triangles_of
 
 if TYPE_CHECKING:
     from ..stack import PlyStack, StackPly
@@ -64,20 +65,11 @@ class Mesh:
     """Triangles of a face: corners (n, 3, 3), outward unit normals (n, 3) and areas (n,)."""
 
     def __init__(self, face: Any, deviation: float) -> None:
-        import MeshPart
-
-        # A copy: meshing leaves triangles in a shape, which others may be working with.
-        mesh = MeshPart.meshFromShape(
-            Shape=face.copy(), LinearDeflection=deviation, AngularDeflection=ANGLE, Relative=False
-        )
-        points, triangles = mesh.Topology
-        corners = numpy.array([tuple(point) for point in points]).reshape(-1, 3)
-        self.corners = corners[numpy.array(triangles, dtype=int).reshape(-1, 3)]
-        crossed = numpy.cross(self.corners[:, 1] - self.corners[:, 0], self.corners[:, 2] - self.corners[:, 0])
-        lengths = numpy.linalg.norm(crossed, axis=1)
-        keep = lengths > 0.0
-        self.corners, crossed, lengths = self.corners[keep], crossed[keep], lengths[keep]
-        self.normals = crossed / lengths[:, None]
+        points, triangles = triangles_of(face, deviation, ANGLE)
+        self.corners = points[triangles]
+        normals = crossed(self.corners)
+        lengths = numpy.linalg.norm(normals, axis=1)
+        self.normals = normals / lengths[:, None]
         self.areas = 0.5 * lengths
 
 

@@ -221,6 +221,13 @@ def _unknown_rosettes(stack: Any) -> str:
     return f"; fibre directions are unknown where rows name {', '.join(map(repr, unknown))}: make a rosette with that label"
 
 
+def rosettes_for_plies(stack: Any) -> Optional[Dict[str, Any]]:
+    """All laminate_offset.Rosettes that plies refer to, by the names in their rows; None where one of them is not there."""
+    known = rosettes_of(stack)
+    names = {ply.ply.rosette for ply in layup_of(stack.Layup).physical_plies()}
+    return known if names <= set(known) else None
+
+
 def _fibre_direction(stack: Any, number: int, angle: float) -> Any:
     """Of a ply where its rosette is; zero without a rosette."""
     rosette = rosettes_of(stack).get(layup_of(stack.Layup).physical_plies()[number - 1].ply.rosette)

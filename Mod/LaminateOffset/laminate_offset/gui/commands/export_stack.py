@@ -6,9 +6,9 @@ from typing import Any
 
 import FreeCAD as App
 
-from ...export import export_calculix, export_ply_book
+from ...export import export_calculix, export_composite_cae, export_ply_book
 from ...features import progress
-from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of, rosette_for_all
+from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of, rosette_for_all, rosettes_for_plies
 from ...replacing import FileError
 from ..texts import translate
 from .base import Command, selected_of
@@ -58,6 +58,7 @@ class ExportStackCommand(Command):
             translate("LaminateOffset", "STEP, one part a ply (*.step)"),
             translate("LaminateOffset", "Table of the plies (*.csv)"),
             translate("LaminateOffset", "CalculiX shell section (*.inp)"),
+            translate("LaminateOffset", "HDF5 composite CAE (*.h5)"),
             translate("LaminateOffset", "Ply book (*.html)"),
         )
 
@@ -72,6 +73,9 @@ class ExportStackCommand(Command):
         elif ending == ".inp":
             axes = rosette_for_all(stack)
             progress.run(title, lambda _report: export_calculix(result, path, rosette=axes))
+        elif ending in (".h5", ".hdf5"):
+            every = rosettes_for_plies(stack)
+            progress.run(title, lambda _report: export_composite_cae(result, path, rosette=every))
         elif ending == ".fcstd":
             result.export(path, solids=solids)  # makes a document, which belongs to this thread
         else:
