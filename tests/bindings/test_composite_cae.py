@@ -154,7 +154,9 @@ def test_every_ply_is_read_back(direction: str, turn: Any, tmp_path: Path) -> No
     lo.export_composite_cae(stack, str(tmp_path / "layup.h5"), size, rosette)
     read = Read(tmp_path / "layup.h5")
     sign = -1.0 if direction == "reversed" else 1.0
-    assert [(ply["layer"], ply["title"]) for ply in read.plies] == [(k + 1, p.ply.name) for k, p in enumerate(stack.plies)]
+    assert [(ply["layer"], ply["title"]) for ply in read.plies] == [
+        (k + 1, p.ply.name) for k, p in enumerate(stack.plies)
+    ]
     assert [ply["material"] for ply in read.plies] == ["IM7-8552-134", "tape, thin", "IM7-8552-134"]
     assert read.fabrics == ["IM7-8552-134", "tape, thin"]
     assert len(read.meshes) == 1 and all(ply["rosettes"] == ["Rosette"] for ply in read.plies)
@@ -207,7 +209,8 @@ def away(points: Any) -> float:
 
 
 @pytest.mark.parametrize(
-    "face", [sample_shapes.cylinder_face(), sample_shapes.sphere_face(), sample_shapes.plane_face(), Part.makeTorus(50, 9)]
+    "face",
+    [sample_shapes.cylinder_face(), sample_shapes.sphere_face(), sample_shapes.plane_face(), Part.makeTorus(50, 9)],
 )
 def test_faces_of_other_kinds(face: Any, tmp_path: Path) -> None:
     face = face.Faces[0]
@@ -240,7 +243,9 @@ def test_halved_sides_keep_the_area_and_the_neighbours() -> None:
     for longest in (100.0, 30.0, 11.0, 2.0, 0.7):
         finer, cut = with_short_sides(points, triangles, longest, lambda middles: middles)
         signed = twice_areas(finer[cut])[:, 2]
-        assert signed.min() > 0.0 and signed.sum() == pytest.approx(twice_areas(points[triangles])[:, 2].sum(), rel=1e-12)
+        assert signed.min() > 0.0 and signed.sum() == pytest.approx(
+            twice_areas(points[triangles])[:, 2].sum(), rel=1e-12
+        )
         sides = finer[cut] - numpy.roll(finer[cut], 1, axis=1)
         assert numpy.linalg.norm(sides, axis=2).max() <= longest
         check_sides(cut)

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boundary_inset.h"
 
+#include "geodesic_walker.h"
+#include "path_fit.h"
+#include "path_part.h"
+
 #include "../projection/image_wire.h"
-#include "../spline/geom_values.h"
-#include "../spline/knot_choice.h"
-#include "../spline/least_squares.h"
 
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <Geom2d_BSplineCurve.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -28,12 +24,6 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int geodesic_steps = 12;
-constexpr int degree = 3;
-constexpr int samples_per_span = 5;
-constexpr int checks_per_span = 3;
-constexpr int most_spans = 256;
-constexpr int polygon_points = 96; // of a curve, where crossings are looked for
 // No place of a moved curve may be nearer to the boundary than that, as a part of the shortest move of one of its own
 // places: distances are measured in space, to chords.
 constexpr double nearest_share = 0.97;
@@ -44,87 +34,6 @@ Failure refusal(const InputFace &input, Status status, const Vector2 &uv, std::s
 {
     return {status, Stage::Trimming, std::move(message), input.place({uv.x(), uv.y()}), std::nullopt};
 }
-
-//! Moves about on the face's surface.
-class Walker
-{
-public:
-    explicit Walker(const InputFace &input) : m_surface(BRep_Tool::Surface(input.face)) {}
-
-    [[nodiscard]] const Handle(Geom_Surface) & surface() const { return m_surface; }
-
-    [[nodiscard]] Eigen::Vector3d point(const Vector2 &uv) const
-    {
-        return vector(m_surface->Value(uv.x(), uv.y()).XYZ());
-    }
-
-    //! The direction in space as a speed in the parameters.
-    [[nodiscard]] Vector2 in_parameters(const Vector2 &uv, const Eigen::Vector3d &direction) const
-    {
-        const Jet jet = at(uv);
-        return jet.solve({jet.u.dot(direction), jet.v.dot(direction)});
-    }
-
-    //! A speed in the parameters in space, and the unit normal.
-    [[nodiscard]] Eigen::Vector3d in_space(const Vector2 &uv, const Vector2 &speed, Eigen::Vector3d &normal) const
-    {
-        const Jet jet = at(uv);
-        normal = jet.u.cross(jet.v).normalized();
-        return speed.x() * jet.u + speed.y() * jet.v;
-    }
-
-    //! The end of the geodesic that starts in a direction of length 1 (classical Runge-Kutta steps).
-    [[nodiscard]] Vector2 geodesic(const Vector2 &from, const Eigen::Vector3d &direction, double length) const
-    {
-        Vector2 x = from;
-        Vector2 v = in_parameters(from, direction);
-        const double h = length / geodesic_steps;
-        for (int i = 0; i < geodesic_steps; ++i)
-        {
-            const Vector2 a1 = bend(x, v);
-            const Vector2 v2 = v + 0.5 * h * a1, a2 = bend(x + 0.5 * h * v, v2);
-            const Vector2 v3 = v + 0.5 * h * a2, a3 = bend(x + 0.5 * h * v2, v3);
-            const Vector2 v4 = v + h * a3, a4 = bend(x + h * v3, v4);
-            x += h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4);
-            v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-        }
-        return x;
-    }
-
-private:
-    struct Jet
-    {
-        Eigen::Vector3d u, v, uu, uv, vv;
-
-        //! The parameters' rates for given products with S_u and S_v.
-        [[nodiscard]] Vector2 solve(const Vector2 &products) const
-        {
-            const double e = u.squaredNorm(), f = u.dot(v), g = v.squaredNorm();
-            return Vector2(g * products.x() - f * products.y(), e * products.y() - f * products.x()) / (e * g - f * f);
-        }
-    };
-
-    [[nodiscard]] Jet at(const Vector2 &uv) const
-    {
-        gp_Pnt p;
-        gp_Vec u, v, uu, vv, mixed;
-        m_surface->D2(uv.x(), uv.y(), p, u, v, uu, vv, mixed);
-        return {vector(u.XYZ()), vector(v.XYZ()), vector(uu.XYZ()), vector(mixed.XYZ()), vector(vv.XYZ())};
-    }
-
-    //! Second derivative of a geodesic in the parameters: no acceleration is left in the tangent plane.
-    [[nodiscard]] Vector2 bend(const Vector2 &x, const Vector2 &v) const
-    {
-        const Jet jet = at(x);
-        const Eigen::Vector3d turn = v.x() * v.x() * jet.uu + 2.0 * v.x() * v.y() * jet.uv + v.y() * v.y() * jet.vv;
-        return -jet.solve({jet.u.dot(turn), jet.v.dot(turn)});
-    }
-
-    Handle(Geom_Surface) m_surface;
-};
-
-//! A curve in the parameters over [0, 1].
-using Path = std::function<Vector2(double)>;
 
 //! An edge's pcurve in its wire's direction, over [0, 1].
 struct EdgePath
@@ -147,22 +56,12 @@ struct EdgePath
     }
 };
 
-//! A moved curve, or the arc at a corner, over a part of [0, 1].
-struct Part
-{
-    Path path;
-    double first = 0.0;
-    double last = 1.0;
-
-    [[nodiscard]] Vector2 at(double part) const { return path(first + part * (last - first)); }
-};
-
 //! One wire of the boundary.
 class WireInset
 {
 public:
-    WireInset(const InputFace &input, const Walker &walker, const TopoDS_Shape &wire, bool to_left, double distance,
-              double tolerance)
+    WireInset(const InputFace &input, const GeodesicWalker &walker, const TopoDS_Shape &wire, bool to_left,
+              double distance, double tolerance)
         : m_input(input), m_walker(walker), m_sign(to_left ? 1.0 : -1.0), m_distance(distance), m_tolerance(tolerance)
     {
         for (TopoDS_Iterator it(wire); it.More(); it.Next())
@@ -184,12 +83,15 @@ public:
         if (const std::optional<Failure> crossed = crossing())
             return *crossed;
         std::vector<ImagePart> result;
-        for (const Part &part : m_parts)
+        for (const PathPart &part : m_parts)
         {
-            const Result<ImagePiece> piece = fitted(part, error);
+            const std::optional<ImagePiece> piece = fitted_piece(m_walker, part, m_tolerance);
             if (!piece)
-                return piece.failure();
-            result.push_back({piece.value(), false, {}, false});
+                return refusal(m_input, Status::EdgeToleranceNotReached, part.at(0.5),
+                               "The curve moved inwards could not be fitted; loosen the tolerance or smooth the "
+                               "boundary.");
+            error = std::max(error, piece->distance);
+            result.push_back({*piece, false, {}, false});
         }
         return result;
     }
@@ -274,7 +176,7 @@ private:
             if (!m_closed && m_left_out.back())
                 return bends_too_sharply(m_edges.back()(0.5));
             const auto left_out = std::count(m_left_out.begin(), m_left_out.end(), true);
-            std::vector<Part> joined;
+            std::vector<PathPart> joined;
             if (const std::optional<Failure> open = join(joined))
                 return open;
             for (std::size_t k = 0; k < m_parts.size(); ++k)
@@ -328,8 +230,11 @@ private:
     //! Moved too far, a closed wire turns inside out, and parts of any wire come too near to where it was.
     [[nodiscard]] std::optional<Failure> vanished() const
     {
-        const std::vector<Vector2> own = traced(m_edges, [](const EdgePath &edge, double t) { return edge(t); });
-        const std::vector<Vector2> moved = traced(m_parts, [](const Part &part, double t) { return part.at(t); });
+        std::vector<PathPart> edges;
+        for (const EdgePath &edge : m_edges)
+            edges.push_back({edge});
+        const std::vector<Vector2> own = traced(edges);
+        const std::vector<Vector2> moved = traced(m_parts);
         bool lost = m_closed && !(turning(own) * turning(moved) > 0.0);
         const double nearest = nearest_share * shortest_move();
         std::vector<Eigen::Vector3d> places;
@@ -344,17 +249,6 @@ private:
                        fmt::format("Moved by {:.4g} mm it turns inside out, or nothing is left of it; take a smaller "
                                    "distance.",
                                    m_distance));
-    }
-
-    //! Points along curves that go on from each other, both ends included.
-    template <class Curve, class At> static std::vector<Vector2> traced(const std::vector<Curve> &curves, const At &at)
-    {
-        std::vector<Vector2> points;
-        for (const Curve &curve : curves)
-            for (int i = 0; i < polygon_points; ++i)
-                points.push_back(at(curve, static_cast<double>(i) / polygon_points));
-        points.push_back(at(curves.back(), 1.0));
-        return points;
     }
 
     //! Twice the area to the left.
@@ -381,17 +275,17 @@ private:
     //! Cuts or bridges the moved curves at corners. Where they would have to be cut but do not meet, the shorter one is marked
     //! to be left out.
     //! \param joined becomes the curves with the bridges between them.
-    [[nodiscard]] std::optional<Failure> join(std::vector<Part> &joined)
+    [[nodiscard]] std::optional<Failure> join(std::vector<PathPart> &joined)
     {
         const std::size_t count = m_parts.size();
-        std::vector<std::optional<Part>> bridges(count);
+        std::vector<std::optional<PathPart>> bridges(count);
         for (std::size_t k = 0; k < count; ++k)
         {
             const std::size_t next = (k + 1) % count;
             if (next == 0 && !m_closed)
                 continue;
             const Eigen::Vector3d gap = m_walker.point(m_parts[k].path(1.0)) - m_walker.point(m_parts[next].path(0.0));
-            if (gap.norm() <= m_tolerance || cut(m_parts[k], m_parts[next]))
+            if (gap.norm() <= m_tolerance || cut_where_they_cross(m_parts[k], m_parts[next]))
                 continue;
             const std::size_t after = (m_sources[k] + 1) % m_edges.size();
             if (after != m_sources[next])
@@ -410,67 +304,8 @@ private:
         return std::nullopt;
     }
 
-    //! Lets two parts end and begin where their whole curves cross, which may leave nothing of a short one. False where
-    //! they do not cross.
-    [[nodiscard]] bool cut(Part &before, Part &after) const
-    {
-        const auto places = [](const Part &part) {
-            std::vector<Vector2> points;
-            for (int i = 0; i <= polygon_points; ++i)
-                points.push_back(part.path(static_cast<double>(i) / polygon_points));
-            return points;
-        };
-        const std::vector<Vector2> a = places(before), b = places(after);
-        for (int i = polygon_points - 1; i >= 0; --i)
-            for (int j = 0; j < polygon_points; ++j)
-            {
-                double s = 0.0, t = 0.0;
-                if (&before == &after && i <= j + 1)
-                    continue;
-                if (!meet(a[static_cast<std::size_t>(i)], a[static_cast<std::size_t>(i) + 1],
-                          b[static_cast<std::size_t>(j)], b[static_cast<std::size_t>(j) + 1], s, t))
-                    continue;
-                s = (i + s) / polygon_points;
-                t = (j + t) / polygon_points;
-                refine(before, after, s, t);
-                before.last = s;
-                after.first = t;
-                return true;
-            }
-        return false;
-    }
-
-    //! Where two segments cross.
-    static bool meet(const Vector2 &a, const Vector2 &b, const Vector2 &c, const Vector2 &d, double &s, double &t)
-    {
-        const Vector2 x = b - a, y = d - c, z = c - a;
-        const double turn = x.x() * y.y() - x.y() * y.x();
-        if (turn == 0.0)
-            return false;
-        s = (z.x() * y.y() - z.y() * y.x()) / turn;
-        t = (z.x() * x.y() - z.y() * x.x()) / turn;
-        return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0;
-    }
-
-    //! Newton's steps towards the place where both parts are one, by differences.
-    static void refine(const Part &before, const Part &after, double &s, double &t)
-    {
-        constexpr double step = 1e-5;
-        for (int i = 0; i < 8; ++i)
-        {
-            const Vector2 gap = after.path(t) - before.path(s);
-            const Vector2 x = (before.path(s + step) - before.path(s - step)) / (2.0 * step);
-            const Vector2 y = (after.path(t + step) - after.path(t - step)) / (2.0 * step);
-            const double turn = x.x() * y.y() - x.y() * y.x();
-            if (turn == 0.0)
-                return;
-            s = std::clamp(s + (gap.x() * y.y() - gap.y() * y.x()) / turn, 0.0, 1.0);
-            t = std::clamp(t + (gap.x() * x.y() - gap.y() * x.x()) / turn, 0.0, 1.0);
-        }
-    }
-
     //! The ends of the geodesics from a corner, from one curve's direction to the other's.
-    [[nodiscard]] Part bridge(std::size_t before, std::size_t after) const
+    [[nodiscard]] PathPart bridge(std::size_t before, std::size_t after) const
     {
         // turning the curve's direction to the left turns its left side backwards
         const double sweep = -m_sign * corner_angle(before, after);
@@ -488,7 +323,7 @@ private:
     {
         for (const bool at_end : {true, false})
         {
-            Part &part = at_end ? m_parts.back() : m_parts.front();
+            PathPart &part = at_end ? m_parts.back() : m_parts.front();
             const auto place = [part, at_end](double back) { return part.at(at_end ? 1.0 - back : back); };
             if (!inside(place(0.0)))
             {
@@ -509,7 +344,7 @@ private:
     }
 
     //! A straight line in the parameters from the part's end to the border, where that is near.
-    void go_on(const Part &part, bool at_end)
+    void go_on(const PathPart &part, bool at_end)
     {
         constexpr double step = 1e-4;
         const Vector2 end = part.at(at_end ? 1.0 : 0.0);
@@ -527,99 +362,30 @@ private:
         if (!(length > m_tolerance && length <= 2.0 * m_distance))
             return;
         const Vector2 from = at_end ? end : border, to = at_end ? border : end;
-        const Part line{[from, to](double t) -> Vector2 { return from + t * (to - from); }};
+        const PathPart line{[from, to](double t) -> Vector2 { return from + t * (to - from); }};
         m_parts.insert(at_end ? m_parts.end() : m_parts.begin(), line);
     }
 
     //! Does the whole wire cross itself?
     [[nodiscard]] std::optional<Failure> crossing() const
     {
-        const std::vector<Vector2> points = traced(m_parts, [](const Part &part, double t) { return part.at(t); });
-        const std::size_t count = points.size() - 1;
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t j = i + 2; j < count; ++j)
-            {
-                double s = 0.0, t = 0.0;
-                if (m_closed && i == 0 && j + 1 == count)
-                    continue;
-                if (meet(points[i], points[i + 1], points[j], points[j + 1], s, t))
-                    return refusal(m_input, Status::NotSupported, points[i],
-                                   fmt::format("Moved inwards by {:.4g} mm it crosses itself; take a smaller distance.",
-                                               m_distance));
-            }
-        return std::nullopt;
-    }
-
-    //! Pcurve and curve of a part, with as many spans as it needs.
-    [[nodiscard]] Result<ImagePiece> fitted(const Part &part, double &error) const
-    {
-        for (int spans = 1; spans <= most_spans; spans *= 2)
-        {
-            std::vector<double> interior;
-            for (int i = 1; i < spans; ++i)
-                interior.push_back(static_cast<double>(i) / spans);
-            const KnotVector kv = clamped_knots(degree, 0.0, 1.0, interior);
-            const Handle(Geom2d_BSplineCurve) pcurve = pcurve_on(kv, part);
-            const double seen = pcurve.IsNull() ? 2.0 * m_tolerance : deviation(*pcurve, kv, part);
-            if (!(seen <= 0.5 * m_tolerance))
-                continue;
-            const auto form = AnalyticSurface::make(m_walker.surface());
-            const EdgeTarget target({m_walker.surface(), Handle(Geom2d_Curve)(pcurve), 0.0, 1.0},
-                                    form ? &*form : nullptr);
-            const std::optional<EdgeCurve> curve = edge_curve(target, 0.5 * m_tolerance);
-            if (!curve)
-                break;
-            error = std::max(error, seen);
-            return ImagePiece{Handle(Geom2d_Curve)(pcurve), curve->curve, 0.0, 1.0, curve->deviation, false, seen};
-        }
-        return refusal(m_input, Status::EdgeToleranceNotReached, part.at(0.5),
-                       "The curve moved inwards could not be fitted; loosen the tolerance or smooth the boundary.");
-    }
-
-    [[nodiscard]] static Handle(Geom2d_BSplineCurve) pcurve_on(const KnotVector &kv, const Part &part)
-    {
-        const std::vector<double> parameters = chebyshev_parameters(kv.breaks(), samples_per_span);
-        const auto solver = LeastSquaresFit::make(kv, parameters);
-        if (!solver)
-            return {};
-        RowMatrix rows = RowMatrix::Zero(static_cast<Eigen::Index>(parameters.size()), 3);
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-            rows.row(static_cast<Eigen::Index>(i)).head<2>() = part.at(parameters[i]).transpose();
-        const RowMatrix net = solver->solve(rows);
-        TColgp_Array1OfPnt2d poles(1, kv.pole_count());
-        for (int i = 0; i < kv.pole_count(); ++i)
-            poles(i + 1) = gp_Pnt2d(net(i, 0), net(i, 1));
-        const std::vector<Knot> distinct = kv.distinct();
-        TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
-        TColStd_Array1OfInteger multiplicities(1, static_cast<int>(distinct.size()));
-        for (std::size_t i = 0; i < distinct.size(); ++i)
-        {
-            knots(static_cast<int>(i) + 1) = distinct[i].parameter;
-            multiplicities(static_cast<int>(i) + 1) = distinct[i].multiplicity;
-        }
-        return new Geom2d_BSplineCurve(poles, knots, multiplicities, kv.degree);
-    }
-
-    [[nodiscard]] double deviation(const Geom2d_BSplineCurve &pcurve, const KnotVector &kv, const Part &part) const
-    {
-        double worst = 0.0;
-        for (const double t : span_parameters(kv, kv.breaks(), checks_per_span * samples_per_span + 1, 1))
-        {
-            const gp_Pnt2d p = pcurve.Value(t);
-            worst = std::max(worst, (m_walker.point({p.X(), p.Y()}) - m_walker.point(part.at(t))).norm());
-        }
-        return worst;
+        const std::optional<Vector2> where = own_crossing(m_parts, m_closed);
+        if (!where)
+            return std::nullopt;
+        return refusal(
+            m_input, Status::NotSupported, *where,
+            fmt::format("Moved inwards by {:.4g} mm it crosses itself; take a smaller distance.", m_distance));
     }
 
     const InputFace &m_input;
-    const Walker &m_walker;
+    const GeodesicWalker &m_walker;
     double m_sign;
     double m_distance;
     double m_tolerance;
     bool m_closed = false;
     std::vector<EdgePath> m_edges;
     std::vector<bool> m_left_out; //!< of each edge: nothing of it is left when it is moved
-    std::vector<Part> m_parts;
+    std::vector<PathPart> m_parts;
     std::vector<std::size_t> m_sources; //!< the edge of each part, before they are joined
 };
 
@@ -634,7 +400,7 @@ Result<BoundaryInset> inset_boundary(const InputFace &input, const BoundaryImage
     else
         for (TopoDS_Iterator it(image.wires); it.More(); it.Next())
             wires.push_back(it.Value());
-    const Walker walker(input);
+    const GeodesicWalker walker(input);
     std::vector<ImagePart> parts;
     BoundaryInset result;
     for (const TopoDS_Shape &wire : wires)

@@ -2,6 +2,7 @@
 #include "ply_levels.h"
 
 #include "ply_ramp.h"
+#include "ramp_slope.h"
 #include "stack_surfaces.h"
 #include "swept_form.h"
 

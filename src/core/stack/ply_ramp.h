@@ -26,9 +26,6 @@ namespace laminate_offset
 //! Refusal at Stage::Surface: NotSupported, with the ramp that would be long enough.
 Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region, double length, int most_poles);
 
-//! The largest slope of a share along the surface, seen at places inside [1/mm].
-double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside);
-
 //! The inside of a region whose cut edges are in pieces short enough for ramps of a length [mm]: a span next to a long
 //! piece's box would count as touched.
 LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length);

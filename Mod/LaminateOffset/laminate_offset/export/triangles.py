@@ -61,9 +61,7 @@ def _split(triangles: Array, middles: Array) -> Array:
         chosen = count == number
         first = mark[chosen].argmax(axis=1)  # the side that differs from the two others
         turn = (first[:, None] + numpy.arange(3)) % 3
-        (a, b, c), (ab, bc, ca) = (
-            numpy.take_along_axis(rows[chosen], turn, axis=1).T for rows in (triangles, middles)
-        )
+        (a, b, c), (ab, bc, ca) = (numpy.take_along_axis(rows[chosen], turn, axis=1).T for rows in (triangles, middles))
         corners = ((a, ab, c), (ab, b, c)) if number == 1 else ((a, b, bc), (a, bc, ca), (ca, bc, c))
         parts += [numpy.stack(corner, axis=-1) for corner in corners]
     (a, b, c), (ab, bc, ca) = triangles[count == 3].T, middles[count == 3].T

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "ramp_slope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace laminate_offset
+{
+namespace
+{
+
+constexpr int slope_samples = 6; // steps of a span in which slopes are looked at
+
+//! Is the share one number on the span that begins at a place?
+bool level_on(const ScalarSpline &share, double u, double v)
+{
+    const int first_u = share.u.span(u) - share.u.degree;
+    const int first_v = share.v.span(v) - share.v.degree;
+    for (int i = first_u; i <= first_u + share.u.degree; ++i)
+        for (int j = first_v; j <= first_v + share.v.degree; ++j)
+            if (share.pole(i, j) != share.pole(first_u, first_v))
+                return false;
+    return true;
+}
+
+//! The largest slope of a share at the places of a grid in one of its spans that are inside [1/mm].
+double steepest_in(const BaseSurface &base, const TensorSpline &share, const LoopRegion &inside,
+                   const ParameterBox &span)
+{
+    std::vector<double> us, vs;
+    for (int i = 0; i <= slope_samples; ++i)
+    {
+        us.push_back(span.umin + (span.umax - span.umin) * i / slope_samples);
+        vs.push_back(span.vmin + (span.vmax - span.vmin) * i / slope_samples);
+    }
+    const std::vector<SurfaceJet> places = base.jets(us, vs, 1);
+    const std::vector<SurfaceJet> values = share.jets(us, vs, 1);
+    double steepest = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const SurfaceJet &s = places[i];
+        const double e = s.u.squaredNorm(), f = s.u.dot(s.v), g = s.v.squaredNorm();
+        const double a = values[i].u.x(), b = values[i].v.x();
+        const double square = (g * a * a - 2.0 * f * a * b + e * b * b) / (e * g - f * f);
+        if (square > steepest * steepest && inside.contains({us[i / vs.size()], vs[i % vs.size()]}))
+            steepest = std::sqrt(square);
+    }
+    return steepest;
+}
+
+} // namespace
+
+double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
+{
+    const std::vector<double> us = share.u.breaks();
+    const std::vector<double> vs = share.v.breaks();
+    const TensorSpline values = share.as_surface();
+    double steepest = 0.0;
+    for (std::size_t k = 0; k + 1 < us.size(); ++k)
+        for (std::size_t l = 0; l + 1 < vs.size(); ++l)
+        {
+            const ParameterBox span{us[k], us[k + 1], vs[l], vs[l + 1]};
+            if (!level_on(share, us[k], vs[l]) && inside.may_touch(span))
+                steepest = std::max(steepest, steepest_in(base, values, inside, span));
+        }
+    return steepest;
+}
+
+} // namespace laminate_offset
