@@ -63,6 +63,18 @@ py::object ramp_for_python(const std::optional<RampFigures> &ramp)
                     "steepest_slope"_a = ramp->steepest);
 }
 
+py::object steep_ramps_for_python(const std::optional<SteepRamps> &steep)
+{
+    using namespace py::literals;
+    if (!steep)
+        return py::none();
+    const gp_Pnt2d &uv = steep->where.uv;
+    const gp_Pnt &point = steep->where.point;
+    const py::dict where("u"_a = uv.X(), "v"_a = uv.Y(), "x"_a = point.X(), "y"_a = point.Y(), "z"_a = point.Z());
+    return py::dict("slope"_a = steep->slope, "alone"_a = steep->alone, "where"_a = where,
+                    "longest"_a = steep->longest, "plies"_a = steep->plies);
+}
+
 std::vector<PlySpec> plies_of(const std::vector<PlyTuple> &tuples)
 {
     std::vector<PlySpec> plies;
@@ -148,7 +160,7 @@ py::tuple stack_plies_for_python(const py::object &shape, const std::vector<PlyT
     const std::optional<TopoDS_Face> &moved = result.value().moved_seam;
     const py::object lay_up = moved ? to_part(*moved, selected_exchange()) : py::object(py::none());
     return py::make_tuple(lay_up, made, result.value().boundary_gaps, result.value().inset_error,
-                          result.value().elapsed);
+                          steep_ramps_for_python(result.value().steep_ramps), result.value().elapsed);
 }
 
 } // namespace
@@ -166,7 +178,8 @@ void bind_ply_stack(py::module_ &module)
         "or None where that was not needed; for each ply its region and "
         "(shape, report, over a ramp) of its bottom, middle or None, and top, its LaidLayer and the figures of its "
         "ramp or None; for each boundary its "
-        "largest distance from the face or None; the largest error seen of an inset; and the time in ms; or raises "
+        "largest distance from the face or None; the largest error seen of an inset; where ramps that lie over each "
+        "other are steeper than one alone, or None; and the time in ms; or raises "
         "OffsetError, ValueError or TypeError.");
 }
 

@@ -100,6 +100,17 @@ struct RampFigures
     double steepest = 0.0; //!< largest slope seen
 };
 
+//! Ramps that lie over each other, since plies end along one line or nearly so: their slopes add up. Slopes are heights
+//! over lengths along the lay-up face.
+struct SteepRamps
+{
+    double slope = 0.0;             //!< of a ply's surface over all of them, the largest one seen
+    double alone = 0.0;             //!< the largest one that a single one of them has, or was asked for
+    Where where;                    //!< the place of `slope`, on the lay-up face
+    double longest = 0.0;           //!< length of the longest one [mm]; edges so far apart have ramps apart
+    std::vector<std::size_t> plies; //!< that end there, counted from 0
+};
+
 struct StackedPly
 {
     TopoDS_Face region; //!< what it covers, on the lay-up face itself
@@ -121,6 +132,8 @@ struct PlyStackResult
     //! Largest distance seen of each boundary from the face [mm], inside the face's loops; empty where no ply has it.
     std::vector<std::optional<double>> boundary_gaps;
     double inset_error = 0.0; //!< largest error seen of a boundary moved inwards [mm]; 0 where none was
+    //! The worst place where ramps together are steeper than each of them alone; empty where they are not.
+    std::optional<SteepRamps> steep_ramps;
     double elapsed = 0.0;     //!< [ms]
 };
 

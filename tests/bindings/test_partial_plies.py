@@ -167,6 +167,36 @@ def test_ramps_are_reported_and_their_steepest_slope_can_be_given() -> None:
         lo.stack_plies(face, layup("half"), boundaries=given, ramp_slope="flat")
 
 
+def test_ramps_that_add_up_are_warned_of(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
+    line = Part.makeLine(FreeCAD.Vector(30, -200, 0), FreeCAD.Vector(30, 200, 0))
+    given = {"half": lo.Boundary(line, side="left")}
+    plies = layup("", "half", "half", "half", "")
+    together = lo.stack_plies(face, plies, boundaries=given)
+    (warning,) = together.report["warnings"]
+    steep = together.report["steep_ramps"]
+    one = together.plies[1].ramp["steepest_slope"]
+    assert steep["slope"] == pytest.approx(3 * one, rel=0.02) and steep["alone"] == pytest.approx(one, rel=1e-9)
+    assert steep["plies"] == ["P2", "P3", "P4"] and steep["longest"] == 10.0
+    assert 30.0 < steep["where"]["x"] < 40.0 and steep["where"]["z"] == 0.0
+    assert warning.startswith("Plies P2, P3 and P4 end along one line") and "stagger (0, 10, ...)" in warning
+    assert f"1:{1 / steep['slope']:.3g}, 3 times as steeply" in warning and f"({steep['where']['x']:.6g}, " in warning
+    assert json.loads(together.to_json())["warnings"] == [warning]
+    staggered = lo.stack_plies(face, plies, boundaries=given, stagger=[0, 10, 20])
+    assert staggered.report["warnings"] == [] and staggered.report["steep_ramps"] is None
+    assert lo.stack_plies(face, layup("", "")).report["warnings"] == []
+    source, outlines, table = tmp_path / "base.brep", tmp_path / "outlines.brep", tmp_path / "layup.csv"
+    files.write_shape(face, str(source), "base")
+    files.write_shape(Part.Wire([line]), str(outlines), "outlines")
+    rows = "".join(f"P{i},tape,0.5,0,{name}\n" for i, name in enumerate(["", "1", "1", ""], 1))
+    table.write_text("ply,material,thickness_mm,angle_deg,boundary\n" + rows, encoding="utf-8")
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.brep")]
+    arguments += ["--boundaries", str(outlines), "--side", "1=left"]
+    for stagger, warned in ((["--stagger", "1=0,10"], False), ([], True)):
+        assert cli.main(arguments + stagger) == 0
+        assert ("warning: Plies P2 and P3 end along one line" in capfd.readouterr().err) == warned
+
+
 @pytest.mark.parametrize("point", [(0, float("nan"), 0), "abc", "123", (1, 2), (1, 2, "x"), 5, (0, 0, float("inf"))])
 def test_the_point_of_a_boundary_is_three_numbers(point: object) -> None:
     with pytest.raises(ValueError, match="point must be three finite numbers"):

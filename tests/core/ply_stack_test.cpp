@@ -433,6 +433,79 @@ TEST(PlyStack, TheSlopesOfRampsAreReportedAndCanBeLimited)
         }
 }
 
+//! The steepest place of a surface that hardly bends, over the plane z = 0 along x, by differences of its points.
+double steepest_along_x(const TopoDS_Face &face)
+{
+    const Handle(Geom_Surface) above = BRep_Tool::Surface(face);
+    double steepest = 0.0;
+    constexpr double step = 0.01;
+    for (double x = -195.0; x < 195.0; x += 0.05)
+        steepest = std::max(steepest, std::abs(above->Value(x + step, 7.0).Z() - above->Value(x, 7.0).Z()) / step);
+    return steepest;
+}
+
+TEST(PlyStack, RampsThatAddUpAreToldOf)
+{
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -200.0, 200.0, -150.0, 150.0);
+    const auto line_at = [](double x) { return line(gp_Pnt(x, -200.0, 0.0), gp_Pnt(x, 200.0, 0.0)); };
+    const std::vector<PlyBoundary> boundaries{{"a", line_at(20.0), PlySide::Left, {}},
+                                              {"b", line_at(20.0), PlySide::Left, {}}};
+    for (const RampSlope kind : {RampSlope::Mean, RampSlope::Steepest})
+        for (const double apart : {0.0, 4.0, 10.0, 40.0})
+        {
+            SCOPED_TRACE(apart);
+            PlyStackOptions options;
+            options.ramp_slope = kind;
+            const std::vector<PlySpec> plies{{0.5, {}, 0.0},         {0.5, 0, 0.0}, {0.5, 0, apart},
+                                             {0.5, 1, 2.0 * apart}, {0.5, {}, 0.0}};
+            const auto made = stack_plies(plane, plies, boundaries, options);
+            ASSERT_TRUE(made) << why(made);
+            const std::optional<SteepRamps> &steep = made.value().steep_ramps;
+            const double one = made.value().plies[1].ramp->steepest;
+            const double seen = steepest_along_x(made.value().plies[4].bottom.result.face());
+            ASSERT_GT(seen, 0.5 * one);
+            EXPECT_EQ(steep.has_value(), seen > 1.06 * std::max(one, kind == RampSlope::Steepest ? 0.05 : 0.0)) << seen;
+            EXPECT_TRUE(steep.has_value() || apart > 5.0); // ramps are 10 mm long at least, and level at their ends
+            EXPECT_FALSE(steep.has_value() && apart > 20.0);
+            if (!steep)
+                continue;
+            EXPECT_NEAR(steep->slope, seen, 0.03 * seen);
+            EXPECT_GE(steep->alone, one);
+            EXPECT_GE(steep->longest, 10.0);
+            EXPECT_GE(steep->plies.size(), 2U);
+            EXPECT_GT(steep->where.point.X(), 20.0 - 2.0 * apart);
+            EXPECT_LT(steep->where.point.X(), 20.0 + steep->longest);
+            if (apart == 0.0)
+            {
+                EXPECT_NEAR(steep->slope, 3.0 * one, 0.02 * one);
+                EXPECT_EQ(steep->plies, (std::vector<std::size_t>{1, 2, 3}));
+            }
+        }
+    const auto single = stack_plies(plane, {{0.5, 0, 0.0}, {0.5, {}, 0.0}}, boundaries, {});
+    ASSERT_TRUE(single) << why(single);
+    EXPECT_FALSE(single.value().steep_ramps);
+}
+
+TEST(PlyStack, RampsOfDifferentPlacesDoNotAddUp)
+{
+    const TopoDS_Face plane = BRepBuilderAPI_MakeFace(gp_Pln(), -200.0, 200.0, -150.0, 150.0);
+    const std::vector<PlyBoundary> boundaries{{"left", circle(-90.0, 0.0, 40.0), PlySide::Inside, {}},
+                                              {"right", circle(90.0, 0.0, 40.0), PlySide::Inside, {}},
+                                              {"round", circle(90.0, 0.0, 55.0), PlySide::Inside, {}}};
+    const std::vector<PlySpec> apart{{0.5, 0, 0.0}, {0.5, 1, 0.0}, {0.5, {}, 0.0}};
+    const auto made = stack_plies(plane, apart, boundaries, options_of(20.0));
+    ASSERT_TRUE(made) << why(made);
+    EXPECT_FALSE(made.value().steep_ramps);
+    // with a third ply that ends 15 mm beside the second one, whose ramp is 20 mm long
+    const std::vector<PlySpec> near{{0.5, 0, 0.0}, {0.5, 2, 0.0}, {0.5, 1, 0.0}, {0.5, {}, 0.0}};
+    const auto both = stack_plies(plane, near, boundaries, options_of(40.0));
+    ASSERT_TRUE(both) << why(both);
+    ASSERT_TRUE(both.value().steep_ramps);
+    EXPECT_EQ(both.value().steep_ramps->plies, (std::vector<std::size_t>{1, 2}));
+    EXPECT_NEAR(std::hypot(both.value().steep_ramps->where.point.X() - 90.0, both.value().steep_ramps->where.point.Y()),
+                65.0, 20.0);
+}
+
 TEST(PlyStack, RefusalsNameTheBoundaryAndTheRemedy)
 {
     const TopoDS_Face face = panel();

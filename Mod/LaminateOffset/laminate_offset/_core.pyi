@@ -69,7 +69,12 @@ def stack_plies(
     middle: bool = ...,
     progress: Optional[Callable[[float], Optional[bool]]] = ...,
 ) -> Tuple[
-    Any, List[Tuple[Any, Any, Any, Any, LaidLayer, Optional[Dict[str, float]]]], List[Optional[float]], float, float
+    Any,
+    List[Tuple[Any, Any, Any, Any, LaidLayer, Optional[Dict[str, float]]]],
+    List[Optional[float]],
+    float,
+    Optional[Dict[str, Any]],
+    float,
 ]: ...
 def write_step_assembly(
     path: str, name: str, parts: Sequence[Tuple[Any, str, Tuple[float, float, float]]], schema: str

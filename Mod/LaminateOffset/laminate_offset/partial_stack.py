@@ -151,7 +151,7 @@ def lay_partial_plies(
     """The stack of plies of which some have boundaries."""
     names = list(boundaries)
     ratio, ramp_length = how.drop_off
-    moved, made, gaps, inset_error, elapsed = _core.stack_plies(
+    moved, made, gaps, inset_error, steep, elapsed = _core.stack_plies(
         face,
         [
             (ply.thickness, names.index(ply.ply.boundary) if ply.ply.boundary else None, inset)
@@ -181,4 +181,19 @@ def lay_partial_plies(
     report["boundary_gaps"] = {name: gap for name, gap in zip(names, gaps) if gap is not None}
     report["inset_error"] = inset_error
     report["seam_moved"] = moved is not None
+    if steep is not None:
+        steep["plies"] = [plies[index].name for index in steep["plies"]]
+        report["warnings"].append(_steep_ramps_text(steep))
+    report["steep_ramps"] = steep
     return PartialPlyStack(layup, stacked, report, whole)
+
+
+def _steep_ramps_text(steep: Dict[str, Any]) -> str:
+    *names, last = steep["plies"]
+    place = ", ".join(f"{steep['where'][axis]:.6g}" for axis in "xyz")
+    step = f"{steep['longest']:.3g}"
+    return (
+        f"Plies {', '.join(names)} and {last} end along one line or nearly so: near ({place}) mm the plies above come down by "
+        f"1:{1.0 / steep['slope']:.3g}, {steep['slope'] / steep['alone']:.2g} times as steeply as beside one of them. Let their "
+        f"edges lie {step} mm apart with a stagger (0, {step}, ...), or make drop_off larger."
+    )

@@ -127,8 +127,10 @@ class PlyStack:
         plies: the StackPlys, from the tool outwards.
         report: the figures of the whole stack as a dict: plies, thickness, tolerance, the largest certified_error and
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
-            knots and trimming curves), partial_plies (those with a boundary) and elapsed_ms; with boundaries also
-            boundary_gaps (the largest distance seen of each from the face, by name), inset_error and seam_moved.
+            knots and trimming curves), partial_plies (those with a boundary), warnings (texts about what is right but
+            hardly wanted) and elapsed_ms; with boundaries also boundary_gaps (the largest distance seen of each from the
+            face, by name), inset_error, seam_moved and steep_ramps: None, or where ramps that lie over each other are
+            steeper than one of them alone: slope, alone, where, plies (names) and the longest ramp in mm.
         base_face: the lay-up face, to whose parameters all that takes parameters refers. Where boundaries cross the seam of
             a closed face, it is the same face with its seam elsewhere, and seam_moved in the report is true.
     """
@@ -440,6 +442,7 @@ def stack_report(
         "edge_error": _largest([report.edge_error for report in reports]),
         "one_fit": one_fit,
         "partial_plies": sum(1 for ply in plies if ply.ply.boundary),
+        "warnings": [],
         "elapsed_ms": elapsed,
     }
 

@@ -31,6 +31,10 @@ constexpr double family_share = 0.4;
 constexpr int most_lengths = 8;
 constexpr double length_margin = 1.01;
 constexpr double least_growth = 1.02;
+// Ramps over each other are told of where together they are steeper than one alone by more than this factor. Each of them
+// takes this part of the slope at least.
+constexpr double most_alone = 1.05;
+constexpr double acting_part = 0.02;
 
 //! What one surface is made of.
 struct Recipe
@@ -39,6 +43,8 @@ struct Recipe
     std::vector<std::size_t> regions;                  //!< where the surface is used
     double nominal = 0.0;
     double constant = 0.0;               //!< the part of the distance that does not vary there
+    //! Plies whose ramps it lies over, and how much of each [mm].
+    std::vector<std::pair<std::size_t, double>> ramps;
     std::optional<ScalarSpline> varying; //!< constant and varying part together
 };
 
@@ -79,7 +85,8 @@ public:
             varies ? with_ramps(analysis.value()) : all_constant(analysis.value());
         if (!surfaces)
             return surfaces.failure();
-        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside, {}};
+        const std::optional<AddedRamps> added = added_ramps(analysis.value().base);
+        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside, {}, added};
         for (const LaidPly &ply : m_stacking.plies)
         {
             const auto known = m_shares.find({ply.region, ply.ramp});
@@ -187,6 +194,7 @@ private:
             if (!recipe.varying)
                 recipe.varying = ScalarSpline::constant(0.0, box.umin, box.umax, box.vmin, box.vmax);
             recipe.varying = sum(*recipe.varying, thickness, share);
+            recipe.ramps.emplace_back(ply, thickness);
         }
         if (!recipe.varying)
             return true;
@@ -210,6 +218,52 @@ private:
         return m_shares.emplace(key, made_share(laid, base)).first->second;
     }
 
+    //! The worst place of all surfaces that lie over several ramps.
+    [[nodiscard]] std::optional<AddedRamps> added_ramps(const BaseSurface &base) const
+    {
+        std::vector<const Recipe *> over_several;
+        for (std::size_t i = 0; i <= m_stacking.plies.size(); ++i)
+        {
+            const Recipe &recipe = m_recipes[i];
+            const bool known = !over_several.empty() && over_several.back()->ramps == recipe.ramps &&
+                               over_several.back()->regions == recipe.regions;
+            if (recipe.ramps.size() > 1 && !known)
+                over_several.push_back(&recipe);
+        }
+        std::vector<std::optional<AddedRamps>> found(over_several.size());
+        tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = added(*over_several[i], base); });
+        std::optional<AddedRamps> worst;
+        for (const std::optional<AddedRamps> &one : found)
+            if (one && (!worst || one->slope * worst->alone > worst->slope * one->alone))
+                worst = one;
+        return worst;
+    }
+
+    //! Where one surface is steepest, if that comes of several ramps together.
+    [[nodiscard]] std::optional<AddedRamps> added(const Recipe &recipe, const BaseSurface &base) const
+    {
+        SteepPlace steepest;
+        for (const std::size_t region : recipe.regions)
+            if (const SteepPlace place = steepest_place(base, *recipe.varying, m_inside[region]);
+                place.slope > steepest.slope)
+                steepest = place;
+        AddedRamps added{steepest.slope, 0.0, steepest.uv, 0.0, {}};
+        for (const auto &[ply, thickness] : recipe.ramps)
+        {
+            const LaidPly &laid = m_stacking.plies[ply];
+            const Share &share = m_shares.at({laid.region, laid.ramp}).value();
+            const double height = std::abs(thickness);
+            if (height * slope_at(base, share.spline, steepest.uv) < acting_part * steepest.slope)
+                continue;
+            added.plies.push_back(ply);
+            added.alone = std::max({added.alone, height * share.ramp.steepest, height / laid.ramp});
+            added.longest = std::max(added.longest, share.ramp.length);
+        }
+        if (added.plies.size() < 2 || !(added.slope > most_alone * added.alone))
+            return std::nullopt;
+        return added;
+    }
+
     //! Where the steepest slope is given, the ramp grows until it holds.
     Result<Share> made_share(const LaidPly &laid, const BaseSurface &base) const
     {
@@ -220,7 +274,7 @@ private:
             Result<ScalarSpline> share = ply_share(base, m_regions[laid.region], length, most_poles);
             if (!share)
                 return share.failure();
-            const double steepest = steepest_slope(base, share.value(), inside);
+            const double steepest = steepest_place(base, share.value(), inside).slope;
             if (!m_stacking.steepest || steepest * laid.ramp <= 1.0)
                 return Share{std::move(share).value(), {length, steepest}};
             length *= std::max(least_growth, length_margin * steepest * laid.ramp);

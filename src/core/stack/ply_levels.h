@@ -9,6 +9,8 @@
 #include "../spline/scalar_spline.h"
 #include "../surface/offset_surface.h"
 
+#include <gp_Pnt2d.hxx>
+
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -47,6 +49,16 @@ struct PlyRamp
     double steepest = 0.0; //!< largest slope seen of the share, along the lay-up surface [1/mm]
 };
 
+//! Ramps that lie over each other and are steeper together than each of them alone.
+struct AddedRamps
+{
+    double slope = 0.0;             //!< of a surface over all of them, along the lay-up surface
+    double alone = 0.0;             //!< the largest one that a single one of them has, or was asked for
+    gp_Pnt2d uv;                    //!< where
+    double longest = 0.0;           //!< length of the longest one [mm]
+    std::vector<std::size_t> plies; //!< that have these ramps beside them, in their order
+};
+
 struct PlyLevels
 {
     SurfaceAnalysis analysis;                  //!< of the whole face
@@ -54,6 +66,7 @@ struct PlyLevels
     std::vector<PlyLevel> middle;              //!< one for each ply, where asked for
     std::vector<LoopRegion> inside;            //!< of each region, its edges in short pieces
     std::vector<std::optional<PlyRamp>> ramps; //!< of each ply; empty where no ply above needs one
+    std::optional<AddedRamps> added;           //!< the worst place; empty where ramps keep out of each other's way
 
     //! The bottom (0) and the top (1) of a ply, or bottom (0), middle (1) and top (2).
     [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;

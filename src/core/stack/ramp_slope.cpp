@@ -24,9 +24,17 @@ bool level_on(const ScalarSpline &share, double u, double v)
     return true;
 }
 
-//! The largest slope of a share at the places of a grid in one of its spans that are inside [1/mm].
-double steepest_in(const BaseSurface &base, const TensorSpline &share, const LoopRegion &inside,
-                   const ParameterBox &span)
+//! From the first derivatives of a surface and of a number over its parameters.
+double slope(const SurfaceJet &surface, const SurfaceJet &number)
+{
+    const double e = surface.u.squaredNorm(), f = surface.u.dot(surface.v), g = surface.v.squaredNorm();
+    const double a = number.u.x(), b = number.v.x();
+    return std::sqrt(std::max(0.0, (g * a * a - 2.0 * f * a * b + e * b * b) / (e * g - f * f)));
+}
+
+//! The steepest one of the places of a grid in one span that are inside.
+SteepPlace steepest_in(const BaseSurface &base, const TensorSpline &share, const LoopRegion &inside,
+                       const ParameterBox &span)
 {
     std::vector<double> us, vs;
     for (int i = 0; i <= slope_samples; ++i)
@@ -36,35 +44,41 @@ double steepest_in(const BaseSurface &base, const TensorSpline &share, const Loo
     }
     const std::vector<SurfaceJet> places = base.jets(us, vs, 1);
     const std::vector<SurfaceJet> values = share.jets(us, vs, 1);
-    double steepest = 0.0;
+    SteepPlace steepest;
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-        const SurfaceJet &s = places[i];
-        const double e = s.u.squaredNorm(), f = s.u.dot(s.v), g = s.v.squaredNorm();
-        const double a = values[i].u.x(), b = values[i].v.x();
-        const double square = (g * a * a - 2.0 * f * a * b + e * b * b) / (e * g - f * f);
-        if (square > steepest * steepest && inside.contains({us[i / vs.size()], vs[i % vs.size()]}))
-            steepest = std::sqrt(square);
+        const gp_Pnt2d uv(us[i / vs.size()], vs[i % vs.size()]);
+        const double here = slope(places[i], values[i]);
+        if (here > steepest.slope && inside.contains(uv))
+            steepest = {here, uv};
     }
     return steepest;
 }
 
 } // namespace
 
-double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
+SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
 {
     const std::vector<double> us = share.u.breaks();
     const std::vector<double> vs = share.v.breaks();
     const TensorSpline values = share.as_surface();
-    double steepest = 0.0;
+    SteepPlace steepest;
     for (std::size_t k = 0; k + 1 < us.size(); ++k)
         for (std::size_t l = 0; l + 1 < vs.size(); ++l)
         {
             const ParameterBox span{us[k], us[k + 1], vs[l], vs[l + 1]};
-            if (!level_on(share, us[k], vs[l]) && inside.may_touch(span))
-                steepest = std::max(steepest, steepest_in(base, values, inside, span));
+            if (level_on(share, us[k], vs[l]) || !inside.may_touch(span))
+                continue;
+            const SteepPlace here = steepest_in(base, values, inside, span);
+            if (here.slope > steepest.slope)
+                steepest = here;
         }
     return steepest;
+}
+
+double slope_at(const BaseSurface &base, const ScalarSpline &share, const gp_Pnt2d &uv)
+{
+    return slope(base.jets({uv.X()}, {uv.Y()}, 1).front(), share.as_surface().jets({uv.X()}, {uv.Y()}, 1).front());
 }
 
 } // namespace laminate_offset

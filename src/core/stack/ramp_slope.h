@@ -7,10 +7,22 @@
 #include "../analysis/loop_region.h"
 #include "../spline/scalar_spline.h"
 
+#include <gp_Pnt2d.hxx>
+
 namespace laminate_offset
 {
 
-//! The largest slope of a share along the surface, seen at places inside [1/mm].
-double steepest_slope(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside);
+//! A slope along the surface, of a share [1/mm] or of a distance (1), and where.
+struct SteepPlace
+{
+    double slope = 0.0;
+    gp_Pnt2d uv;
+};
+
+//! The largest slope of a share or of a distance along the surface, seen at places inside; 0 where it is level.
+SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside);
+
+//! The slope at one place.
+double slope_at(const BaseSurface &base, const ScalarSpline &share, const gp_Pnt2d &uv);
 
 } // namespace laminate_offset

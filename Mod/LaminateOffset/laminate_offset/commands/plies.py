@@ -84,6 +84,8 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     except KeyboardInterrupt:
         print("laminate-offset: cancelled; only the files named above were written.", file=err)
         return CANCELLED
+    for warning in stack.report["warnings"]:
+        print(f"laminate-offset: warning: {warning}", file=err)
     print(f"face {number}: {stack.summary()}", file=out)
     if arguments.report:
         write_json({**stack.report, "stack": stack.ply_reports()}, arguments.report)

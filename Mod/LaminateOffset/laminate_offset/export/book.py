@@ -116,6 +116,8 @@ def _totals(stack: "PlyStack") -> Iterable[Tuple[str, str]]:
     yield "Tolerance", number(report["tolerance"])
     yield "Proven error of surfaces", _proven(report["certified_error"])
     yield "Proven error of edges", _proven(report["edge_error"])
+    for warning in report["warnings"]:
+        yield "Warning", warning
     for material in figures.materials:
         mass = "mass not known" if material.mass is None else number(material.mass, "kg")
         yield f"Material {material.material}", f"{material.plies} plies, {_area(material.area)}, {mass}"

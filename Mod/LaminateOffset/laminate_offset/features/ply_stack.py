@@ -78,7 +78,10 @@ class PlyStackFeature(Feature):
         check_rosettes(obj)
         stack = _stack(obj)
         place_result(obj, [stack.to_shape(solids=obj.Solids)])
-        accept(obj, stack.summary() + _unknown_rosettes(obj), stack.ply_reports())
+        for warning in stack.report["warnings"]:
+            App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
+        message = "\n".join([stack.summary() + _unknown_rosettes(obj), *stack.report["warnings"]])
+        accept(obj, message, stack.ply_reports())
         obj.Thickness = stack.report["thickness"]
         obj.PlyCount = len(stack.plies)
         obj.CertifiedError = _figure(stack.report["certified_error"])
