@@ -15,8 +15,8 @@ Result<std::vector<TopoDS_Solid>> ply_solids(const std::vector<TopoDS_Shape> &fa
         if (face.IsNull() || face.ShapeType() != TopAbs_FACE)
             return Failure{
                 Status::NotAFace, Stage::Topology,
-                "A ply's surface is not a single face, so no solid is made from it: the base has creases, at "
-                "which its offsets are torn. Split the base at the creases first.",
+                "A ply's surface is not a single face, so no single solid is made from it: the base has creases, at "
+                "which its offsets are torn. Make the solids of its parts (creased_ply_solids).",
                 std::nullopt, std::nullopt};
         single.push_back(TopoDS::Face(face));
     }

@@ -197,8 +197,8 @@ public:
         if (!levels)
             return levels.failure();
         if (const std::optional<AddedRamps> &added = levels.value().added)
-            m_result.steep_ramps = SteepRamps{added->slope, added->alone, input.value().place(added->uv),
-                                              added->longest, added->plies};
+            m_result.steep_ramps =
+                SteepRamps{added->slope, added->alone, input.value().place(added->uv), added->longest, added->plies};
         return faces(regions.value(), levels.value());
     }
 

@@ -134,7 +134,7 @@ struct PlyStackResult
     double inset_error = 0.0; //!< largest error seen of a boundary moved inwards [mm]; 0 where none was
     //! The worst place where ramps together are steeper than each of them alone; empty where they are not.
     std::optional<SteepRamps> steep_ramps;
-    double elapsed = 0.0;     //!< [ms]
+    double elapsed = 0.0; //!< [ms]
 };
 
 //! Lays plies on a trimmed face.

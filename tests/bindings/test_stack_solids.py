@@ -117,11 +117,44 @@ def test_solids_of_a_free_form_face(direction: str) -> None:
     assert len(stack.to_shape(solids=True).Solids) == 4
 
 
-def test_the_solids_of_a_creased_face_are_refused() -> None:
-    stack = lo.stack_plies(sample_shapes.roof_face(), sandwich())
-    with pytest.raises(lo.OffsetError, match="creases") as refused:
+def test_the_solids_of_a_creased_face_are_those_of_its_parts() -> None:
+    face = sample_shapes.moved(sample_shapes.roof_face(20.0, 50.0))
+    stack = lo.stack_plies(face, sandwich())
+    (warning,) = stack.report["warnings"]
+    assert "2 parts, which stand apart there by up to" in warning and "one for each part" in warning
+    area = 20.0 * math.sqrt(2.0) * 50.0  # of one side of the roof
+    for ply in stack.plies:
+        assert ply.solid.ShapeType == "Compound" and len(ply.solid.Solids) == 2 and ply.solid.isValid()
+        for solid in ply.solid.Solids:
+            assert solid.isValid() and solid.isClosed() and len(solid.Faces) == 6
+            assert solid.Volume == pytest.approx(area * ply.ply.thickness, rel=1e-9)
+        assert ply.solid.Volume == pytest.approx(ply.volume, rel=1e-6)
+    for lower, upper in zip(stack.plies, stack.plies[1:]):
+        assert sum(a.isSame(b) for a in lower.solid.Faces for b in upper.solid.Faces) == 2  # one in each part
+    # at the crease the parts of the farthest ply stand apart by sqrt(2) times its distances
+    one, other = stack.plies[-1].solid.Solids
+    assert one.common(other).Volume < 1e-6
+    assert one.distToShape(other)[0] == pytest.approx(math.sqrt(2.0) * stack.plies[-1].ply.bottom, rel=1e-6)
+    groups = stack.material_solids()
+    assert [len(group.solid.Solids) for group in groups] == [2, 2, 2]
+    whole = stack.laminate_solid()
+    assert whole.isValid() and whole.Volume == pytest.approx(sum(group.solid.Volume for group in groups), rel=1e-9)
+    assert len(stack.to_shape(solids=True).Solids) == 8
+
+
+def test_plies_that_cross_at_a_crease_have_no_solids() -> None:
+    face = sample_shapes.roof_face()
+    stack = lo.stack_plies(face, sandwich(direction="reversed"))
+    (warning,) = stack.report["warnings"]
+    assert "cross each other there" in warning and "other side" in warning
+    with pytest.raises(lo.OffsetError, match="cross each other.*other side, or round the crease") as refused:
         stack.laminate_solid()
-    assert refused.value.status == "not-a-face"
+    assert refused.value.status == "kinked-surface" and refused.value.stage == "topology"
+    assert refused.value.where["y"] == pytest.approx(0.0, abs=1e-6) and refused.value.where["z"] == pytest.approx(0.0)
+    with pytest.raises(lo.OffsetError, match="cross each other"):
+        lo.stack_plies(face, sandwich(reference="middle"), solids=True)
+    flat = lo.stack_plies(sample_shapes.bspline_face(), sandwich())
+    assert flat.report["warnings"] == []
 
 
 def test_fibres_on_a_cylinder_follow_the_projected_axis() -> None:

@@ -456,8 +456,8 @@ TEST(PlyStack, RampsThatAddUpAreToldOf)
             SCOPED_TRACE(apart);
             PlyStackOptions options;
             options.ramp_slope = kind;
-            const std::vector<PlySpec> plies{{0.5, {}, 0.0},         {0.5, 0, 0.0}, {0.5, 0, apart},
-                                             {0.5, 1, 2.0 * apart}, {0.5, {}, 0.0}};
+            const std::vector<PlySpec> plies{
+                {0.5, {}, 0.0}, {0.5, 0, 0.0}, {0.5, 0, apart}, {0.5, 1, 2.0 * apart}, {0.5, {}, 0.0}};
             const auto made = stack_plies(plane, plies, boundaries, options);
             ASSERT_TRUE(made) << why(made);
             const std::optional<SteepRamps> &steep = made.value().steep_ramps;

@@ -55,9 +55,10 @@ class StackPly:
 
     @property
     def solid(self) -> "Part.Solid":
-        """The ply as a valid, closed solid. Neighbours' solids share the face between them only where no ply of the stack
-        has a boundary. Made when first asked for, those of all plies at once. Raises OffsetError where a side has no
-        surface."""
+        """The ply as a valid, closed solid; on a face with creases a Part.Compound with a solid for each part. Neighbours'
+        solids share the face between them only where no ply of the stack has a boundary. Made when first asked for, those
+        of all plies at once. Raises OffsetError where a side has no surface, and where parts of a creased face's plies cross
+        each other."""
         return self._owner().ply_solids()[self.ply.number - 1]
 
     @property
@@ -135,8 +136,16 @@ class PlyStack:
             a closed face, it is the same face with its seam elsewhere, and seam_moved in the report is true.
     """
 
-    def __init__(self, layup: Layup, plies: Sequence[StackPly], report: Dict[str, Any], base_face: "Part.Face") -> None:
+    def __init__(
+        self,
+        layup: Layup,
+        plies: Sequence[StackPly],
+        report: Dict[str, Any],
+        base_face: "Part.Face",
+        max_degree: Optional[int] = None,
+    ) -> None:
         self.layup = layup
+        self._max_degree = max_degree
         self.plies: Tuple[StackPly, ...] = tuple(replace(ply, _stack=self) for ply in plies)
         self.report = report
         self.base_face = base_face
@@ -158,7 +167,9 @@ class PlyStack:
     def ply_solids(self) -> "Tuple[Part.Solid, ...]":
         """The plies as valid, closed solids, from the tool outwards. In a stack without boundaries neighbours share the
         face between them, so there is no gap; in one with boundaries every solid has faces of its own, and pockets of
-        resin are open beside the ends of plies. Raises OffsetError where a side has no surface."""
+        resin are open beside the ends of plies. On a face with creases a ply is a Part.Compound of as many solids as the
+        creases leave parts, with gaps where parts move apart. Raises OffsetError where a side has no surface, and where
+        parts cross each other."""
         return self._ply_solids
 
     def material_solids(self) -> Tuple[MaterialSolid, ...]:
@@ -240,7 +251,12 @@ class PlyStack:
             faces.setdefault(ply.ply.top, ply.top_face)
         index = {distance: i for i, distance in enumerate(faces)}
         ends = [sorted((first.ply.bottom, last.ply.top)) for first, last in runs]
-        return tuple(_core.ply_solids(list(faces.values()), [(index[low], index[high]) for low, high in ends]))
+        spans = [(index[low], index[high]) for low, high in ends]
+        if all(face.ShapeType == "Face" for face in faces.values()):
+            return tuple(_core.ply_solids(list(faces.values()), spans))
+        tolerance = self.report["tolerance"]
+        parts = _core.creased_ply_solids(self.base_face, list(faces), spans, tolerance, self._max_degree)
+        return tuple(Part.makeCompound(solids) for solids in parts)
 
     def export(self, path: str, solids: bool = False, schema: str = "AP214") -> None:
         """Writes the stack; replaces a file in one step.
@@ -365,7 +381,7 @@ def stack_plies(
     else:
         levels, distances = _levels(plies, surface)
         made = _core.offset_stack(face, distances, limit, max_degree, reduce, progress)
-        stack = _whole_plies(face, layup, plies, levels, distances, made)
+        stack = _whole_plies(face, layup, plies, levels, distances, made, max_degree)
     if solids:
         stack.ply_solids()
     return stack
@@ -383,6 +399,7 @@ def _whole_plies(
     levels: Sequence[float],
     distances: Sequence[float],
     laid: Tuple[List[Tuple[Any, Dict[str, Any]]], bool, float],
+    max_degree: Optional[int],
 ) -> PlyStack:
     """The stack of plies on the whole face, from the surfaces of all distances."""
     made, one_fit, elapsed = laid
@@ -391,8 +408,26 @@ def _whole_plies(
         StackPly(ply, surfaces[ply.bottom][0], surfaces[ply.top][0], *surfaces[level], face)
         for ply, level in zip(plies, levels)
     ]
-    report = stack_report(layup, plies, [report for _, report in surfaces.values()], one_fit, elapsed)
-    return PlyStack(layup, stacked, report, face)
+    reports = [report for _, report in surfaces.values()]
+    report = stack_report(layup, plies, reports, one_fit, elapsed)
+    report["warnings"] += _crease_warning(reports)
+    return PlyStack(layup, stacked, report, face, max_degree)
+
+
+def _crease_warning(reports: Sequence[OffsetReport]) -> List[str]:
+    """What to know about the stack of a face with creases."""
+    torn = [report for report in reports if report.crease]
+    if not torn:
+        return []
+    gaps = [report.gap for report in torn if report.gap is not None]
+    width = f" by up to {max(gaps):.3g} mm" if len(gaps) == len(torn) else ""
+    start = f"The face has creases that part the plies into {max(report.faces for report in torn)} parts"
+    if all(report.crease == "gap" for report in torn):
+        return [f"{start}, which stand apart there{width}; a ply's solids are one for each part."]
+    return [
+        f"{start}, which cross each other there{width}, so that they have no solids; stack on the face's other side, or round "
+        "the creases."
+    ]
 
 
 def _read(layup: Union[Layup, str]) -> Layup:

@@ -42,7 +42,7 @@ struct Recipe
     std::vector<std::pair<std::size_t, double>> below; //!< plies and how much of each
     std::vector<std::size_t> regions;                  //!< where the surface is used
     double nominal = 0.0;
-    double constant = 0.0;               //!< the part of the distance that does not vary there
+    double constant = 0.0; //!< the part of the distance that does not vary there
     //! Plies whose ramps it lies over, and how much of each [mm].
     std::vector<std::pair<std::size_t, double>> ramps;
     std::optional<ScalarSpline> varying; //!< constant and varying part together
@@ -231,7 +231,8 @@ private:
                 over_several.push_back(&recipe);
         }
         std::vector<std::optional<AddedRamps>> found(over_several.size());
-        tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = added(*over_several[i], base); });
+        tbb::parallel_for(std::size_t{0}, found.size(),
+                          [&](std::size_t i) { found[i] = added(*over_several[i], base); });
         std::optional<AddedRamps> worst;
         for (const std::optional<AddedRamps> &one : found)
             if (one && (!worst || one->slope * worst->alone > worst->slope * one->alone))
