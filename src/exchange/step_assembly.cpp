@@ -87,6 +87,8 @@ void write(const std::string &path, const std::string &name, const std::vector<N
     STEPCAFControl_Controller::Init();
     const Setting protocol("write.step.schema", schema == StepSchema::Ap242 ? "AP242DIS" : "AP214IS");
     const Setting unit("write.step.unit", "MM");
+    // FreeCAD turns this off for good when it writes STEP: parts that stand elsewhere would lose their names
+    const Setting groups("write.step.assembly", "Auto");
     const Document document;
     add_parts(document.get(), name, parts);
     STEPCAFControl_Writer writer;

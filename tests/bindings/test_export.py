@@ -109,6 +109,17 @@ def test_step_is_an_assembly_with_names_and_colours(stack: lo.PlyStack, schema: 
     assert os.listdir(tmp_path) == ["stack.step"]
 
 
+def test_names_do_not_depend_on_what_freecad_wrote_before(stack: lo.PlyStack, tmp_path: Path) -> None:
+    boxes = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(3, 1, 1)])
+    boxes.exportStep(str(tmp_path / "boxes.step"))
+    before = len(Step(tmp_path / "boxes.step").of("NEXT_ASSEMBLY_USAGE_OCCURRENCE"))
+    stack.export(str(tmp_path / "stack.step"))
+    step = Step(tmp_path / "stack.step")
+    assert len(step.of("PRODUCT")) == 4 and "translator" not in " ".join(step.of("PRODUCT").values())
+    boxes.exportStep(str(tmp_path / "boxes.step"))
+    assert len(Step(tmp_path / "boxes.step").of("NEXT_ASSEMBLY_USAGE_OCCURRENCE")) == before
+
+
 def test_writing_does_not_change_the_plies(stack: lo.PlyStack, tmp_path: Path) -> None:
     before = [ply.face.exportBrepToString() for ply in stack.plies]
     for ending in (".step", ".FCStd", ".html"):

@@ -187,8 +187,12 @@ TEST_F(StepAssembly, SettingsAreAsBeforeAfterwards)
     STEPCAFControl_Controller::Init();
     Interface_Static::SetCVal("write.step.schema", "AP203");
     Interface_Static::SetCVal("write.step.unit", "INCH");
-    write_step_assembly(path(), "box", {{BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), "box", {0.0, 0.0, 0.0}}},
-                        StepSchema::Ap242);
+    Interface_Static::SetCVal("write.step.assembly", "Off"); // FreeCAD does
+    const TopoDS_Shape box = moved(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), 100.0);
+    write_step_assembly(path(), "whole", {{box, "box", {0.0, 0.0, 0.0}}}, StepSchema::Ap242);
+    EXPECT_THAT(text(), testing::Not(testing::HasSubstr("PRODUCT('Open CASCADE")));
+    EXPECT_EQ(read(path()).parts.at(0).name, "box");
+    EXPECT_STREQ(Interface_Static::CVal("write.step.assembly"), "Off");
     EXPECT_STREQ(Interface_Static::CVal("write.step.schema"), "AP203");
     EXPECT_STREQ(Interface_Static::CVal("write.step.unit"), "INCH");
 }
