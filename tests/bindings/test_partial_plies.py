@@ -149,6 +149,62 @@ def test_a_patch_may_lie_across_the_seam_of_a_tube(middle: float) -> None:
     assert all(ply.solid.isValid() for ply in stack.plies) and stack.laminate_solid().isValid()
 
 
+@pytest.mark.parametrize("towards", [(1, 0, 0), (-1, 0, 0), (0.6, -0.64, 0.48)])
+@pytest.mark.parametrize("kind", ["sphere", "moved", "mirrored", "spline"])
+def test_a_patch_on_a_whole_sphere(towards: tuple, kind: str) -> None:
+    radius = 100.0
+    sphere = Part.makeSphere(radius).Faces[0]
+    if kind == "moved":
+        sphere.Placement = FreeCAD.Placement(FreeCAD.Vector(10, 2, 3), FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 50))
+    elif kind == "mirrored":
+        sphere = sphere.mirror(FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0)).Faces[0]
+    elif kind == "spline":
+        sphere = sphere.toNurbs().Faces[0]
+    place = sphere.Placement if kind == "moved" else FreeCAD.Placement()
+    axis = place.Rotation.multVec(FreeCAD.Vector(*towards))
+    across = 0.2  # radians from the axis to the circle
+    circle = Part.makeCircle(radius * numpy.sin(across), place.Base + axis * (radius * numpy.cos(across)), axis)
+    stack = lo.stack_plies(sphere, layup("", "patch", ""), boundaries={"patch": Part.Wire([circle])}, drop_off=40)
+    assert stack.report["certified_error"] <= 1e-3
+    cap = (1.0 - numpy.cos(across)) / 2.0 * 4.0 / 3.0 * numpy.pi * (101.0**3 - 100.5**3)
+    assert stack.plies[1].volume == pytest.approx(cap, rel=1e-5)
+    assert all(ply.solid.isValid() and ply.face.isValid() for ply in stack.plies)
+    rng = numpy.random.default_rng(5)
+    points = rng.normal(size=(200, 3))
+    points = points / numpy.linalg.norm(points, axis=1)[:, None]
+    points = numpy.concatenate([points, [(0, 0, 1), (0, 0, -1), tuple(place.Rotation.inverted().multVec(axis))]])
+    points = numpy.array([tuple(place.multVec(FreeCAD.Vector(*(radius * point)))) for point in points])
+    angles = numpy.arccos(numpy.clip((points - tuple(place.Base)) @ tuple(axis) / radius, -1.0, 1.0))
+    thickness = stack.thickness(points)
+    assert numpy.abs(thickness[angles < across - 0.01] - 1.5).max() < 2e-3 and (angles < across - 0.01).any()
+    assert numpy.abs(thickness[angles > across + 0.01] - 1.0).max() < 2e-3
+    # by FreeCAD alone: the uppermost surface is three plies high over the patch, two past the ramp, and between on the ramp
+    top = stack.plies[2].top_face
+    u0, u1, v0, v1 = top.ParameterRange
+    grid = [top.valueAt(u, v) - place.Base for u in numpy.linspace(u0, u1, 41) for v in numpy.linspace(v0, v1, 41)]
+    away = numpy.array([point.getAngle(axis) for point in grid])
+    heights = numpy.array([point.Length for point in grid]) - radius
+    assert (
+        numpy.abs(heights[away < across] - 1.5).max() < 2e-3
+        and numpy.abs(heights[away > across + 0.22] - 1.0).max() < 2e-3
+    )
+    assert (away < across).sum() > 3 and heights.min() > 1.0 - 2e-3 and heights.max() < 1.5 + 2e-3
+
+
+def test_ramps_reach_no_pole_of_a_sphere() -> None:
+    sphere = Part.makeSphere(100.0).Faces[0]
+    for towards in ((0.3, 0, 0.95), (-0.3, 0, 0.95), (0, 0.3, -0.95)):
+        axis = FreeCAD.Vector(*towards).normalize()
+        given = {"patch": Part.Wire([Part.makeCircle(20.0, axis * 98.0, axis)])}
+        with pytest.raises(lo.OffsetError, match="'patch' reaches the seam of the closed face, or a point"):
+            lo.stack_plies(sphere, layup("", "patch", ""), boundaries=given, drop_off=40)
+    cone = Part.makeCone(50, 0, 100).Faces[0]
+    given = {"patch": Part.Wire([Part.makeCircle(8, FreeCAD.Vector(-30, 0, 40), FreeCAD.Vector(1, 0, 0))])}
+    with pytest.raises(lo.OffsetError, match="ends in a point.*cut the tip off the face") as refused:
+        lo.stack_plies(cone, layup("", "patch", ""), boundaries=given, drop_off=20)
+    assert refused.value.status == "not-supported" and refused.value.where["z"] == pytest.approx(100.0)
+
+
 def test_ramps_are_reported_and_their_steepest_slope_can_be_given() -> None:
     face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
     line = Part.makeLine(FreeCAD.Vector(0, -200, 0), FreeCAD.Vector(0, 200, 0))

@@ -46,9 +46,17 @@ class PartialStackPly(StackPly):
         arrays (n,), whether the ply is there or not."""
         places = numpy.asarray(uv, dtype=float)
         feet, normals, _ = _core.evaluate_face(self.whole_face, places)
-        sides = [_core.evaluate_face(face, places)[0] for face in (self.bottom_face, self.top_face)]
+        sides = [_points(face, places) for face in (self.bottom_face, self.top_face)]
         bottom, top = (((side - feet) * normals).sum(axis=1) for side in sides)
         return bottom, top
+
+
+def _points(face: "Part.Face", uv: Any) -> Any:
+    """The points at parameters (n, 2), also where the surface has none of its normals, as at the pole of a sphere."""
+    try:
+        return _core.evaluate_face(face, uv)[0]
+    except OffsetError:
+        return numpy.array([tuple(face.valueAt(u, v)) for u, v in uv])
 
 
 class PartialPlyStack(PlyStack):

@@ -11,12 +11,15 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <gp_Lin.hxx>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -107,6 +110,16 @@ std::vector<double> with_ends(double low, const std::vector<SmoothnessBreak> &br
 }
 
 //! One side of the box with its margin, inside [first, last] unless the surface goes round.
+//! Is v a pole of a circle turned about an axis? Past it the surface runs back on the other side, with its normal turned
+//! round.
+bool is_pole(const Handle(Geom_Surface) & surface, double v)
+{
+    const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
+    if (revolution.IsNull() || revolution->BasisCurve()->DynamicType() != STANDARD_TYPE(Geom_Circle))
+        return false;
+    return gp_Lin(revolution->Axis()).Distance(revolution->BasisCurve()->Value(v)) <= Precision::Confusion();
+}
+
 void widen(double &low, double &high, double first, double last, bool periodic)
 {
     constexpr double margin = 0.01;
@@ -278,6 +291,10 @@ ParameterBox fit_box(const InputFace &input)
     input.surface->Bounds(u0, u1, v0, v1);
     widen(box.umin, box.umax, u0, u1, input.surface->IsUPeriodic());
     widen(box.vmin, box.vmax, v0, v1, input.surface->IsVPeriodic());
+    if (is_pole(input.surface, input.box.vmin))
+        box.vmin = input.box.vmin;
+    if (is_pole(input.surface, input.box.vmax))
+        box.vmax = input.box.vmax;
     return box;
 }
 

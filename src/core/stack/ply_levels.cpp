@@ -314,7 +314,7 @@ private:
         const Result<OffsetFamily> family =
             fit_offset_family(analysis, m_input, range.low, range.high, family_share * tolerance, m_options);
         if (!family)
-            return family.failure();
+            return beside_a_tip(family.failure());
         bool apart = true;
         for (const double end : {range.low, range.high})
         {
@@ -329,6 +329,20 @@ private:
             for (OffsetSurface &surface : surfaces.value())
                 surface.apart = apart;
         return surfaces;
+    }
+
+    //! A failure of the fit, or the reason for it where the face ends in a point.
+    [[nodiscard]] Failure beside_a_tip(const Failure &failure) const
+    {
+        if (failure.status == Status::ToleranceNotReached || failure.status == Status::SingularNormal)
+            for (const TrimmingLoop &loop : m_input.loops)
+                for (const TrimmingCurve &curve : loop.curves)
+                    if (curve.degenerated)
+                        return {Status::NotSupported, Stage::Surface,
+                                "The face ends in a point, up to which surfaces over ramps cannot be proven; cut the "
+                                "tip off the face, or lay the plies with boundaries on a part of the face without it.",
+                                m_input.place(curve.pcurve->Value(0.5 * (curve.first + curve.last))), std::nullopt};
+        return failure;
     }
 
     static OffsetSurface member(const OffsetFamily &family, double distance)

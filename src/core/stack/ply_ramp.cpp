@@ -148,6 +148,41 @@ bool torn_at_seam(const ScalarSpline &share, const InputFace &input, const Param
     return torn;
 }
 
+//! Is a side of the box one point of the surface?
+bool collapsed(const Geom_Surface &surface, const ParameterBox &box, bool along_u, bool at_end, double size)
+{
+    constexpr int probes = 4;
+    constexpr double same = 1e-9;
+    const auto at = [&](int i) {
+        const double part = static_cast<double>(i) / probes;
+        return along_u ? surface.Value(box.umin + part * (box.umax - box.umin), at_end ? box.vmax : box.vmin)
+                       : surface.Value(at_end ? box.umax : box.umin, box.vmin + part * (box.vmax - box.vmin));
+    };
+    for (int i = 1; i <= probes; ++i)
+        if (at(i).Distance(at(0)) > same * size)
+            return false;
+    return true;
+}
+
+//! Does the share vary along a side that is one point, such as a pole of a sphere?
+bool torn_at_tip(const ScalarSpline &share, const InputFace &input, const ParameterBox &box)
+{
+    const int rows = share.u.pole_count();
+    const int columns = share.v.pole_count();
+    for (const bool along_u : {true, false})
+        for (const bool at_end : {true, false})
+        {
+            if (!collapsed(*input.surface, box, along_u, at_end, input.diagonal))
+                continue;
+            const int across = along_u ? (at_end ? columns - 1 : 0) : (at_end ? rows - 1 : 0);
+            const auto pole = [&](int k) { return along_u ? share.pole(k, across) : share.pole(across, k); };
+            for (int k = 1; k < (along_u ? rows : columns); ++k)
+                if (pole(k) != pole(0))
+                    return true;
+        }
+    return false;
+}
+
 } // namespace
 
 LoopRegion fine_region(const BaseSurface &base, const PlyRegion &region, double length)
@@ -188,11 +223,12 @@ Result<ScalarSpline> ply_share(const BaseSurface &base, const PlyRegion &region,
             std::nullopt, std::nullopt};
     share.poles.reserve(static_cast<std::size_t>(poles));
     ShareMaker(base, region, walk, length, share);
-    if (torn_at_seam(share, region.input, box))
+    if (torn_at_seam(share, region.input, box) || torn_at_tip(share, region.input, box))
         return Failure{
             Status::NotSupported, Stage::Surface,
-            fmt::format("The ramp of {:.3g} mm beside the boundary '{}' reaches the seam of the closed face; "
-                        "move the boundary or the seam away from it, or make the ramp shorter.",
+            fmt::format("The ramp of {:.3g} mm beside the boundary '{}' reaches the seam of the closed face, or a "
+                        "point in which the face ends; move the boundary away from it, turn the face so that seam "
+                        "and poles lie elsewhere, or make the ramp shorter.",
                         length, region.name),
             std::nullopt, std::nullopt};
     return share;

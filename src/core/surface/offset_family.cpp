@@ -3,6 +3,9 @@
 
 #include "one_space_fit.h"
 
+#include "../spline/geom_values.h"
+
+#include <Geom_SphericalSurface.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +23,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // roundoff, half of epsilon, and D the larger |distance|: 3 u |N^| for the quotient, times at most 2 D, and one rounding
 // each for the two products and the two sums. The bound below takes a multiple of it.
 constexpr double rounding_operations = 16.0;
+// A pole of a sphere's offset is computed with fewer roundings than that, each of the size of pole and centre.
+constexpr double sphere_operations = 8.0;
 
 //! N^ = (O_high - O_low) / (high - low), S^ = O_low - low N^, in numerators.
 OffsetFamily through(const TensorSpline &at_low, const TensorSpline &at_high, double low, double high)
@@ -49,6 +54,39 @@ double rounding(const OffsetFamily &family)
         largest = std::max(largest, size);
     }
     return rounding_operations * epsilon * largest;
+}
+
+//! Of a sphere, S + d N = C + (1 + d / r) (S - C), with r the radius, below zero where S_u x S_v points inwards. So the
+//! family of the spline that stands for S is known, and its error is the spline's, (1 + d / r) times as large: also at
+//! poles, where a fit of normals has no proof.
+std::optional<OffsetFamily> sphere_family(const SurfaceAnalysis &analysis, const InputFace &input, double low,
+                                          double high, double tolerance)
+{
+    const auto sphere = Handle(Geom_SphericalSurface)::DownCast(input.surface);
+    const std::optional<TensorSpline> &spline = analysis.base.spline();
+    if (sphere.IsNull() || !spline)
+        return std::nullopt;
+    const gp_Ax3 &frame = sphere->Position();
+    const Eigen::Vector3d centre = vector(frame.Location().XYZ());
+    const double radius = frame.Direct() ? sphere->Radius() : -sphere->Radius();
+    const auto at = [&](double distance) {
+        TensorSpline offset = *spline;
+        for (Eigen::Vector4d &pole : offset.poles)
+            pole.head<3>() = pole.w() * centre + (1.0 + distance / radius) * (pole.head<3>() - pole.w() * centre);
+        return offset;
+    };
+    OffsetFamily family = through(at(low), at(high), low, high);
+    double size = 0.0;
+    for (const Eigen::Vector4d &pole : spline->poles)
+        size = std::max(size, pole.head<3>().norm() / pole.w() + 2.0 * centre.norm());
+    const double factor = 1.0 + std::max(std::abs(low), std::abs(high)) / sphere->Radius();
+    const double bound =
+        factor * (analysis.base.model_error().point + sphere_operations * epsilon * size) + rounding(family);
+    if (!(bound <= tolerance))
+        return std::nullopt;
+    family.certified_error = bound;
+    family.sampled_error = bound;
+    return family;
 }
 
 //! What is wrong with the interval?
@@ -82,6 +120,8 @@ Result<OffsetFamily> fit_offset_family(const SurfaceAnalysis &analysis, const In
 {
     if (std::optional<Failure> refusal = refusal_of(low, high))
         return *std::move(refusal);
+    if (std::optional<OffsetFamily> known = sphere_family(analysis, input, low, high, tolerance))
+        return *std::move(known);
     const auto rounding_between = [&](const std::vector<TensorSpline> &ends) {
         return rounding(through(ends[0], ends[1], low, high));
     };
