@@ -86,11 +86,11 @@ def test_a_creased_face_is_written_as_its_parts(command_line, target: str, choic
 
 def test_the_default_output_is_named_after_the_input(command_line, tmp_path: Path) -> None:
     (tmp_path / "models").mkdir()
-    files.write_shape(sample_shapes.sphere_face(), str(tmp_path / "models" / "ball.igs"), "ball")
-    run = command_line("offset", "models/ball.igs", "--face", "1", "--distance", "1.5")
+    files.write_shape(sample_shapes.bspline_face(), str(tmp_path / "models" / "wave.igs"), "wave")
+    run = command_line("offset", "models/wave.igs", "--face", "1", "--distance", "1.5")
     assert run.returncode == 0, run.stderr
-    assert sorted(os.listdir(tmp_path)) == ["ball_offset.step", "models"]
-    assert os.listdir(tmp_path / "models") == ["ball.igs"]
+    assert sorted(os.listdir(tmp_path)) == ["models", "wave_offset.step"]
+    assert os.listdir(tmp_path / "models") == ["wave.igs"]
 
 
 def test_the_launcher_works_through_a_link_and_from_anywhere(launcher: Path, wing: Path, tmp_path: Path) -> None:

@@ -36,11 +36,10 @@ def run() -> None:
 def fill_page() -> None:
     """Finds our page in the dialog, types and presses OK."""
     dialog = QtGui.QApplication.activeModalWidget()
-    groups = dialog.findChild(QtGui.QListWidget)
-    entry = [groups.item(row) for row in range(groups.count()) if groups.item(row).text() == "Laminate Offset"]
-    assert len(entry) == 1 and not entry[0].icon().isNull(), [groups.item(row).text() for row in range(groups.count())]
-    groups.setCurrentItem(entry[0])
-    pump(300)
+    if dialog is None:  # a busy machine
+        QtCore.QTimer.singleShot(500, fill_page)
+        return
+    choose_page(dialog, "Laminate Offset")
     page = dialog.findChild(QtGui.QWidget, "PreferencesPage")
     for name, text in (("tolerance", "0.02"), ("maxDegree", "5"), ("threads", "1"), ("dropOff", "30")):
         line = page.findChild(QtGui.QWidget, name).findChild(QtGui.QLineEdit)
@@ -50,6 +49,17 @@ def fill_page() -> None:
         QTest.keyClick(line, QtCore.Qt.Key_Tab)
     screenshot("page")
     QTest.mouseClick(dialog.findChild(QtGui.QDialogButtonBox).button(BUTTON.Ok), QtCore.Qt.LeftButton)
+
+
+def choose_page(dialog, name: str) -> None:
+    """Clicks a group of pages: in a list, or in a tree from FreeCAD 1.0 on."""
+    tree = dialog.findChild(QtGui.QTreeView, "groupsTreeView")
+    groups = dialog.findChild(QtGui.QListWidget) if tree is None else tree
+    first = groups.model().index(0, 0)
+    found = groups.model().match(first, QtCore.Qt.DisplayRole, name, -1, QtCore.Qt.MatchExactly)
+    assert len(found) == 1 and not found[0].data(QtCore.Qt.DecorationRole).isNull(), found
+    groups.setCurrentIndex(found[0])
+    pump(300)
 
 
 def translated(ball, language: str, word: str) -> None:
