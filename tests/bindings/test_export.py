@@ -110,7 +110,7 @@ def test_step_is_an_assembly_with_names_and_colours(stack: lo.PlyStack, schema: 
 
 
 def test_names_do_not_depend_on_what_freecad_wrote_before(stack: lo.PlyStack, tmp_path: Path) -> None:
-    boxes = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(3, 1, 1)])
+    boxes = Part.Compound([Part.makeBox(1, 1, 1), Part.makeBox(3, 1, 1)])
     boxes.exportStep(str(tmp_path / "boxes.step"))
     before = len(Step(tmp_path / "boxes.step").of("NEXT_ASSEMBLY_USAGE_OCCURRENCE"))
     stack.export(str(tmp_path / "stack.step"))

@@ -256,7 +256,7 @@ class PlyStack:
             return tuple(_core.ply_solids(list(faces.values()), spans))
         tolerance = self.report["tolerance"]
         parts = _core.creased_ply_solids(self.base_face, list(faces), spans, tolerance, self._max_degree)
-        return tuple(Part.makeCompound(solids) for solids in parts)
+        return tuple(Part.Compound(solids) for solids in parts)
 
     def export(self, path: str, solids: bool = False, schema: str = "AP214") -> None:
         """Writes the stack; replaces a file in one step.
