@@ -33,7 +33,7 @@ struct Knots
 Knots uniform_knots(int poles, int degree)
 {
     const int count = poles - degree + 1;
-    Knots knots{{1, count}, {1, count}};
+    Knots knots{TColStd_Array1OfReal(1, count), TColStd_Array1OfInteger(1, count)};
     for (int i = 1; i <= count; ++i)
     {
         knots.values(i) = static_cast<double>(i - 1) / (count - 1);
