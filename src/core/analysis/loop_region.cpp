@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "loop_region.h"
 
+#include "../input/loop_gaps.h"
 #include "../spline/arc_crossings.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace
 // A loop that runs along a rectangle's border does not touch it; pcurves miss their line by rounding.
 constexpr double grazing = 1e-10;
 constexpr std::size_t pieces_per_band = 4;
-// Gaps between curves that belong together are narrower, in parts of the loops' box.
-constexpr double widest_gap = 1e-3;
 constexpr double border_share = 1e-10;
 constexpr double rounding = 1e-13;
 
@@ -43,19 +42,6 @@ ControlPoints control_points(const std::vector<gp_XYZ> &arc)
 
 bool same(const gp_Pnt2d &a, const gp_Pnt2d &b) { return a.X() == b.X() && a.Y() == b.Y(); }
 
-//! The ends of a loop's curves, two a curve.
-std::vector<gp_Pnt2d> curve_ends(const TrimmingLoop &loop)
-{
-    std::vector<gp_Pnt2d> ends;
-    for (const TrimmingCurve &curve : loop.curves)
-        if (curve.bounds_face() && !curve.pieces.empty())
-        {
-            ends.push_back(curve.pieces.front().start);
-            ends.push_back(curve.pieces.back().end);
-        }
-    return ends;
-}
-
 PcurvePiece straight_piece(const gp_Pnt2d &a, const gp_Pnt2d &b)
 {
     return {a,
@@ -64,26 +50,22 @@ PcurvePiece straight_piece(const gp_Pnt2d &a, const gp_Pnt2d &b)
             {{{a.X(), a.Y(), 1.0}, {b.X(), b.Y(), 1.0}}}};
 }
 
-//! The pieces that join each end of a loop's curves to the nearest other one: ends that belong together differ by
-//! rounding or by the vertex's tolerance, and a ray through such a gap would count one crossing too few. Every end is
-//! joined to one other, so that every line crosses the loop an even number of times, however they are paired.
-std::vector<PcurvePiece> closing_pieces(const TrimmingLoop &loop, double widest)
+//! The pieces that join the curves of a loop where these differ by rounding or by the vertex's tolerance, or at a pole: a
+//! ray through such a gap would count one crossing too few.
+std::vector<PcurvePiece> closing_pieces(const InputFace &input, const TrimmingLoop &loop)
 {
-    std::vector<gp_Pnt2d> ends = curve_ends(loop);
+    std::vector<CurveEnds> ends;
+    for (const TrimmingCurve &curve : loop.curves)
+        if (curve.bounds_face())
+        {
+            const CurveEnds along{curve.pieces.front().start, curve.pieces.back().end};
+            const bool reversed = curve.edge.Orientation() == TopAbs_REVERSED;
+            ends.push_back(reversed ? CurveEnds{along.end, along.start} : along);
+        }
     std::vector<PcurvePiece> closing;
-    while (!ends.empty())
-    {
-        const gp_Pnt2d end = ends.back();
-        ends.pop_back();
-        const auto other = std::min_element(ends.begin(), ends.end(), [&](const gp_Pnt2d &a, const gp_Pnt2d &b) {
-            return end.SquareDistance(a) < end.SquareDistance(b);
-        });
-        const double gap = end.Distance(*other);
-        if (gap > 0.0 && gap <= widest)
-            closing.push_back(straight_piece(end, *other));
-        *other = ends.back();
-        ends.pop_back();
-    }
+    for (const LoopGap &gap : loop_gaps(input, loop, ends))
+        if (!gap.jump && !same(gap.from, gap.to))
+            closing.push_back(straight_piece(gap.from, gap.to));
     return closing;
 }
 
@@ -96,10 +78,9 @@ LoopRegion::LoopRegion(const InputFace &input)
             if (curve.bounds_face())
                 add(curve.pieces);
     m_bounds = bounds_of(m_pieces);
-    const double size = std::max(m_bounds.umax - m_bounds.umin, m_bounds.vmax - m_bounds.vmin);
     for (const TrimmingLoop &loop : input.loops)
     {
-        const std::vector<PcurvePiece> closing = closing_pieces(loop, widest_gap * size);
+        const std::vector<PcurvePiece> closing = closing_pieces(input, loop);
         m_pieces.insert(m_pieces.end(), closing.begin(), closing.end());
     }
     for (PcurvePiece &piece : m_pieces)

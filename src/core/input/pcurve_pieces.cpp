@@ -40,40 +40,12 @@ std::vector<double> piece_ends(double first, double last, int count)
 
 using Arcs = std::vector<ControlPoints>;
 
-//! Cuts a spline at its knots and the piece ends. False where it goes round or ends early.
-bool cut_spline(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends, std::vector<Arcs> &pieces)
+//! Can a spline be cut there? Not if it goes round or ends early.
+bool can_be_cut(const Geom2d_BSplineCurve &curve, const std::vector<double> &ends)
 {
     const double slack = end_rounding * (curve.LastParameter() - curve.FirstParameter());
-    if (curve.IsPeriodic() || ends.front() < curve.FirstParameter() - slack ||
-        ends.back() > curve.LastParameter() + slack)
-        return false;
-    const KnotVector kv = knots_of(curve);
-    const ControlPoints poles = weighted_poles(curve);
-    std::size_t piece = 0;
-    for (int span = kv.span(ends.front()); span <= kv.span(ends.back()); ++span)
-    {
-        double low = kv.knots[static_cast<std::size_t>(span)];
-        const double high = kv.knots[static_cast<std::size_t>(span) + 1];
-        if (!(low < high))
-            continue;
-        ControlPoints rest = span_points(kv, poles, span);
-        if (low < ends.front())
-        {
-            cut_off(rest, (ends.front() - low) / (high - low));
-            low = ends.front();
-        }
-        for (; piece + 1 < pieces.size() && ends[piece + 1] < high; ++piece)
-        {
-            pieces[piece].push_back(cut_off(rest, (ends[piece + 1] - low) / (high - low)));
-            low = ends[piece + 1];
-        }
-        if (ends.back() < high)
-            rest = cut_off(rest, (ends.back() - low) / (high - low));
-        pieces[piece].push_back(std::move(rest));
-        if (piece + 1 < pieces.size() && ends[piece + 1] == high)
-            ++piece;
-    }
-    return true;
+    return !curve.IsPeriodic() && ends.front() >= curve.FirstParameter() - slack &&
+           ends.back() <= curve.LastParameter() + slack;
 }
 
 //! Lets every arc start from the last bit of the one before it; what is cut separately may differ by a factor too.
@@ -102,7 +74,9 @@ std::vector<Arcs> arcs_of(const Handle(Geom2d_Curve) & pcurve, const Geom2dAdapt
     std::vector<Arcs> pieces(count);
     if (count == 1)
         return pieces;
-    if (curve.GetType() != GeomAbs_BSplineCurve || !cut_spline(*curve.BSpline(), ends, pieces))
+    if (curve.GetType() == GeomAbs_BSplineCurve && can_be_cut(*curve.BSpline(), ends))
+        pieces = pieces_between(*curve.BSpline(), ends);
+    else
         for (std::size_t i = 0; i < count; ++i)
             pieces[i] = bezier_pieces(pcurve, ends[i], ends[i + 1]);
     for (const Arcs &arcs : pieces)

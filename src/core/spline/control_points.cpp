@@ -56,26 +56,35 @@ ControlPoints cut_off(ControlPoints &points, double s)
     return before;
 }
 
-std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, double first, double last)
+std::vector<std::vector<ControlPoints>> pieces_between(const Geom2d_BSplineCurve &curve,
+                                                       const std::vector<double> &ends)
 {
     const KnotVector kv = knots_of(curve);
     const ControlPoints poles = weighted_poles(curve);
-    std::vector<ControlPoints> pieces;
-    for (int span = kv.span(first); span <= kv.span(last); ++span)
+    std::vector<std::vector<ControlPoints>> pieces(ends.size() - 1);
+    std::size_t piece = 0;
+    for (int span = kv.span(ends.front()); span <= kv.span(ends.back()); ++span)
     {
         double low = kv.knots[static_cast<std::size_t>(span)];
         const double high = kv.knots[static_cast<std::size_t>(span) + 1];
-        if (!(low < high))
+        if (!(low < high) || !(low < ends.back()))
             continue;
-        ControlPoints piece = span_points(kv, poles, span);
-        if (low < first)
+        ControlPoints rest = span_points(kv, poles, span);
+        if (low < ends.front())
         {
-            cut_off(piece, (first - low) / (high - low));
-            low = first;
+            cut_off(rest, (ends.front() - low) / (high - low));
+            low = ends.front();
         }
-        if (last < high)
-            piece = cut_off(piece, (last - low) / (high - low));
-        pieces.push_back(std::move(piece));
+        for (; piece + 1 < pieces.size() && ends[piece + 1] < high; ++piece)
+        {
+            pieces[piece].push_back(cut_off(rest, (ends[piece + 1] - low) / (high - low)));
+            low = ends[piece + 1];
+        }
+        if (ends.back() < high)
+            rest = cut_off(rest, (ends.back() - low) / (high - low));
+        pieces[piece].push_back(std::move(rest));
+        if (piece + 1 < pieces.size() && ends[piece + 1] == high)
+            ++piece;
     }
     return pieces;
 }
@@ -89,7 +98,7 @@ std::vector<ControlPoints> converted(const Handle(Geom2d_Curve) & curve, double 
     {
         const Handle(Geom2d_BSplineCurve) spline =
             Geom2dConvert::CurveToBSplineCurve(new Geom2d_TrimmedCurve(curve, first, last));
-        return pieces_between(*spline, spline->FirstParameter(), spline->LastParameter());
+        return pieces_between(*spline, {spline->FirstParameter(), spline->LastParameter()}).front();
     }
     catch (const Standard_Failure &) // a range that OpenCASCADE takes for empty
     {
@@ -120,7 +129,7 @@ std::vector<ControlPoints> bezier_pieces(const Handle(Geom2d_Curve) & curve, dou
         last = std::min(last, curve->LastParameter());
     }
     if (type == GeomAbs_BSplineCurve && !adaptor.BSpline()->IsPeriodic())
-        return pieces_between(*adaptor.BSpline(), first, last);
+        return pieces_between(*adaptor.BSpline(), {first, last}).front();
     return converted(curve, first, last);
 }
 

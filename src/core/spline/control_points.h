@@ -26,8 +26,11 @@ ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int 
 //! Cuts off what lies before s of [0, 1] (de Casteljau): returned, and the rest remains.
 ControlPoints cut_off(ControlPoints &points, double s);
 
-//! The Bezier pieces of a spline that does not go round, between two of its parameters.
-std::vector<ControlPoints> pieces_between(const Geom2d_BSplineCurve &curve, double first, double last);
+//! The Bezier pieces of a spline that does not go round, cut at its knots and at `ends`: the pieces between the first two
+//! ends, those between the next two, and so on. One cut serves both pieces beside it, whose control points there are the same.
+//! \param ends increasing, at least two, none of them beyond the ends of the curve by more than rounding.
+std::vector<std::vector<ControlPoints>> pieces_between(const Geom2d_BSplineCurve &curve,
+                                                       const std::vector<double> &ends);
 
 //! The Bezier pieces of a curve of any kind between two of its parameters.
 //! \return none for kinds that have no exact ones (offset curves), and beyond the ends of the curve.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "face_strips.h"
 
+#include "../input/loop_gaps.h"
 #include "../trimming/curve_breaks.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace
 
 // Parameters that differ by less, as a part of the box, count as equal: what a crossing is computed to.
 constexpr double same_parameter = 1e-13;
-// A gap of a loop wider than this part of the box is a jump, which only a point of the surface excuses.
-constexpr double widest_gap = 1e-3;
 
 //! The knot vector of degree 1 with these breaks.
 KnotVector knots_at(const std::vector<double> &breaks)
@@ -127,43 +126,22 @@ private:
     //! Pcurves meet to their tolerance only; straight pieces join them.
     Result<bool> close_gaps(const TrimmingLoop &loop)
     {
-        std::vector<gp_Pnt2d> starts;
-        std::vector<gp_Pnt2d> ends;
+        std::vector<CurveEnds> ends;
         for (const TrimmingCurve &curve : loop.curves)
+            if (curve.bounds_face())
+            {
+                const bool forward = sign_of(curve) > 0.0;
+                ends.push_back({curve.pcurve->Value(forward ? curve.first : curve.last),
+                                curve.pcurve->Value(forward ? curve.last : curve.first)});
+            }
+        for (const LoopGap &gap : loop_gaps(m_input, loop, ends))
         {
-            if (!curve.bounds_face())
-                continue;
-            const bool forward = sign_of(curve) > 0.0;
-            starts.push_back(curve.pcurve->Value(forward ? curve.first : curve.last));
-            ends.push_back(curve.pcurve->Value(forward ? curve.last : curve.first));
-        }
-        for (const gp_Pnt2d &end : ends)
-        {
-            const auto start = std::min_element(
-                starts.begin(), starts.end(), [&](const auto &a, const auto &b) { return gap(end, a) < gap(end, b); });
-            if (gap(end, *start) > widest_gap && !one_point(end, *start))
-                return jump(end);
-            if (end.Y() != start->Y())
-                add_strip({{}, 0.0, 1.0, end, *start, 0.0, 1.0}, gp_Pnt2d(0.5 * (end.XY() + start->XY())));
-            starts.erase(start);
+            if (gap.jump)
+                return jump(gap.from);
+            if (gap.from.Y() != gap.to.Y())
+                add_strip({{}, 0.0, 1.0, gap.from, gap.to, 0.0, 1.0}, gp_Pnt2d(0.5 * (gap.from.XY() + gap.to.XY())));
         }
         return true;
-    }
-
-    //! Distance of two places as a part of the box.
-    [[nodiscard]] double gap(const gp_Pnt2d &a, const gp_Pnt2d &b) const
-    {
-        return std::max(std::abs(a.X() - b.X()) / (m_us.back() - m_us.front()),
-                        std::abs(a.Y() - b.Y()) / (m_vs.back() - m_vs.front()));
-    }
-
-    //! Are the places between two ones the same point of space, as at a pole?
-    [[nodiscard]] bool one_point(const gp_Pnt2d &a, const gp_Pnt2d &b) const
-    {
-        const gp_Pnt middle = m_input.surface->Value(0.5 * (a.X() + b.X()), 0.5 * (a.Y() + b.Y()));
-        const double near = std::max(m_input.tolerance, 1e-7 * m_input.diagonal);
-        return middle.Distance(m_input.surface->Value(a.X(), a.Y())) <= near &&
-               middle.Distance(m_input.surface->Value(b.X(), b.Y())) <= near;
     }
 
     [[nodiscard]] Failure jump(const gp_Pnt2d &uv) const
