@@ -249,6 +249,48 @@ bool valid(const TopoDS_Face &face, const TrimLoops &loops)
     return true;
 }
 
+gp_Pnt2d start_of(const TrimmingCurve &curve)
+{
+    return curve.pcurve->Value(curve.edge.Orientation() == TopAbs_REVERSED ? curve.last : curve.first);
+}
+
+//! Where two curves of the loops start from the same place: a loop touches itself there, or another one.
+std::optional<Where> touching_place(const InputFace &input)
+{
+    constexpr double near = 1e-9;
+    const double reach_u = near * (input.box.umax - input.box.umin);
+    const double reach_v = near * (input.box.vmax - input.box.vmin);
+    std::vector<gp_Pnt2d> starts;
+    for (const TrimmingLoop &loop : input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+        {
+            if (!curve.bounds_face())
+                continue;
+            const gp_Pnt2d start = start_of(curve);
+            for (const gp_Pnt2d &other : starts)
+                if (std::abs(start.X() - other.X()) <= reach_u && std::abs(start.Y() - other.Y()) <= reach_v)
+                    return input.place(start);
+            starts.push_back(start);
+        }
+    return std::nullopt;
+}
+
+Failure not_valid(const InputFace &input)
+{
+    Failure failure{Status::InvalidResult, Stage::Topology,
+                    "The offset face did not pass its validity check; report this as a defect with the file.",
+                    std::nullopt, std::nullopt};
+    if (BRepCheck_Analyzer(input.face).IsValid())
+        return failure;
+    failure.message = "The base face itself is not valid, and so its offset is not; repair the face first.";
+    failure.where = touching_place(input);
+    if (failure.where)
+        failure.message =
+            "The base face itself is not valid, and so its offset is not: its trimming loops touch at the "
+            "reported place. Split the face there into faces that do not touch themselves.";
+    return failure;
+}
+
 } // namespace
 
 Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops,
@@ -257,12 +299,7 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
     if (check == FaceCheck::None || valid(face, loops))
         return face;
-    const bool base_is_valid = BRepCheck_Analyzer(input.face).IsValid();
-    return Failure{Status::InvalidResult, Stage::Topology,
-                   base_is_valid
-                       ? "The offset face did not pass its validity check; report this as a defect with the file."
-                       : "The base face itself is not valid, and so its offset is not; repair the face first.",
-                   std::nullopt, std::nullopt};
+    return not_valid(input);
 }
 
 TopoDS_Shell build_shell(const InputFace &input, const std::vector<TopoDS_Face> &parts)
