@@ -23,8 +23,8 @@ Failure not_finite(std::size_t index)
 {
     return {
         Status::InvalidOption, Stage::Options,
-        fmt::format("Point {} has a coordinate that is no finite number, or too large for its square to be one; leave "
-                    "such points out.",
+        fmt::format("Point {} has a coordinate that is no finite number, or is so far away that its distance is none; "
+                    "leave such points out.",
                     index),
         std::nullopt, std::nullopt};
 }
@@ -40,9 +40,11 @@ Result<std::vector<NearestPoint>> nearest_on(const InputFace &input, const std::
     std::atomic<std::size_t> bad{points.size()};
     const auto nearest = [&](std::size_t i) {
         const Eigen::Vector3d local = vector(points[i].Transformed(to_face).XYZ());
-        if (!std::isfinite(local.squaredNorm()))
+        if (!local.allFinite())
             return false;
         const SurfaceFoot foot = face.value().nearest(local);
+        if (!std::isfinite(foot.distance))
+            return false;
         const gp_Pnt point(foot.point.x(), foot.point.y(), foot.point.z());
         result[i] = {gp_Pnt2d(foot.uv.x(), foot.uv.y()), point.Transformed(from_face), foot.distance};
         return true;

@@ -22,13 +22,14 @@ struct NearestPoint
 
 //! For each point the nearest point of the face, in the same order. Among several that are equally near, any one.
 //!
-//! A distance is never larger than the least one by more than 1e-11 of the surface's size. Borders, poles and seams count;
+//! A distance is never larger than the least one by more than 1e-11 of the surface's size or, far away, 1e-14 of the
+//! distance. Borders, poles and seams count;
 //! on a seam either side's parameters may come back. Works on all cores; the face is only read.
 //! \param points coordinates [mm] where the face stands.
 //! \param trimmed false: the surface over the face's parameter box (FreeCAD's ParameterRange); true: the inside of the loops and the
 //! loops themselves, which are searched through samples.
 //! Refusals: those of the stage Input; NotSupported for offset surfaces of free-form surfaces; InvalidOption
-//! for a coordinate that is no finite number.
+//! for a coordinate that is no finite number, or a distance that would be none.
 Result<std::vector<NearestPoint>> nearest_points(const TopoDS_Shape &face, const std::vector<gp_Pnt> &points,
                                                  bool trimmed = false);
 

@@ -10,6 +10,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_Circle.hxx>
@@ -84,6 +85,28 @@ std::vector<gp_Pnt> points_about(const InputFace &input, int count, unsigned see
         points.push_back(on.Translated(
             gp_Vec(away * (unit(engine) - 0.5), away * (unit(engine) - 0.5), away * (unit(engine) - 0.5))));
     }
+    return points;
+}
+
+using Wide = Eigen::Matrix<long double, 3, 1>;
+
+Wide wide(const gp_XYZ &p) { return {p.X(), p.Y(), p.Z()}; }
+Wide wide(const gp_Pnt &p) { return wide(p.XYZ()); }
+
+//! Points on a grid over the face's box where the face stands; if trimmed, those inside the loops by OpenCASCADE.
+std::vector<gp_Pnt> grid_points(const InputFace &input, bool trimmed)
+{
+    constexpr int grid = 40;
+    const BRepTopAdaptor_FClass2d inside(input.face, 1e-9);
+    const ParameterBox &b = input.box;
+    std::vector<gp_Pnt> points;
+    for (int i = 0; i <= grid; ++i)
+        for (int j = 0; j <= grid; ++j)
+        {
+            const gp_Pnt2d uv(b.umin + (b.umax - b.umin) * i / grid, b.vmin + (b.vmax - b.vmin) * j / grid);
+            if (!trimmed || inside.Perform(uv, false) == TopAbs_IN)
+                points.push_back(input.place(uv).point);
+        }
     return points;
 }
 
@@ -280,6 +303,55 @@ TEST(NearestPoint, ClosedFormsAgreeWithTheSearch)
     EXPECT_GT(compared, 5000);
 }
 
+//! From 1e-300 to 1e308 away, in numbers of a longer range. What is compared far away is not the distance L, of which 1e-16
+//! may be more than the surface, but |p - q| - L, as (|q - m|^2 / 2 L - (q - m).e) for the middle m and the way e.
+TEST(NearestPoint, PointsOfAnyMagnitudeAreRight)
+{
+    std::mt19937 engine(17);
+    std::normal_distribution<double> normal;
+    int compared = 0, far = 0;
+    for (const Named &named : faces())
+        for (const bool trimmed : {false, true})
+        {
+            SCOPED_TRACE(std::string(named.name) + (trimmed ? " trimmed" : ""));
+            const InputFace input = read_face(named.face).value();
+            const std::vector<gp_Pnt> grid = grid_points(input, trimmed);
+            const gp_Pnt middle = grid[grid.size() / 2];
+            std::vector<gp_Pnt> points;
+            std::vector<gp_Vec> ways;
+            for (int power = -300; power <= 308; power += power >= 2 && power < 12 ? 1 : 2)
+            {
+                ways.push_back(gp_Vec(normal(engine), normal(engine), normal(engine)).Normalized());
+                points.push_back(middle.Translated(std::pow(10.0, power) * ways.back()));
+            }
+            const auto found = nearest_points(named.face, points, trimmed);
+            ASSERT_TRUE(found.ok()) << found.failure().message;
+            for (std::size_t i = 0; i < points.size(); ++i)
+            {
+                const NearestPoint &foot = found.value()[i];
+                const long double away = (wide(points[i]) - wide(middle)).stableNorm();
+                SCOPED_TRACE(static_cast<double>(away));
+                const bool is_far = away > 100.0 * input.diagonal;
+                const auto excess = [&](const gp_Pnt &q) -> long double {
+                    const Wide from = wide(q) - wide(middle);
+                    return is_far ? from.squaredNorm() / (2.0L * away) - from.dot(wide(ways[i].XYZ()))
+                                  : (wide(points[i]) - wide(q)).stableNorm();
+                };
+                long double least = std::numeric_limits<long double>::infinity();
+                for (const gp_Pnt &q : grid)
+                    least = std::min(least, excess(q));
+                const long double rounding = 1e-14L * std::min(away, 1e8L * input.diagonal);
+                EXPECT_LE(excess(foot.point), least + 1e-11L * input.diagonal + rounding);
+                const long double distance = (wide(points[i]) - wide(foot.point)).stableNorm();
+                EXPECT_LE(std::abs(distance - foot.distance), 1e-12L * input.diagonal + 4e-16L * distance);
+                ++compared;
+                far += is_far ? 1 : 0;
+            }
+        }
+    EXPECT_GT(compared, 6000);
+    EXPECT_GT(far, 3000);
+}
+
 TEST(NearestPoint, FollowsACurveWithoutJumps)
 {
     const Result<InputFace> input = read_face(faces().front().face);
@@ -310,9 +382,9 @@ TEST(NearestPoint, Refusals)
     const auto bad = nearest_points(face, some);
     EXPECT_EQ(bad.failure().status, Status::InvalidOption);
     EXPECT_NE(bad.failure().message.find("Point 1234 "), std::string::npos) << bad.failure().message;
-    for (const double huge : {1e200, 1e308, std::numeric_limits<double>::infinity()})
-        EXPECT_FALSE(nearest_points(face, {gp_Pnt(huge, 0, 0)}).ok()) << huge;
-    EXPECT_TRUE(nearest_points(face, {gp_Pnt(1e100, 0, 0)}).ok());
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const gp_Pnt &nowhere : {gp_Pnt(infinity, 0, 0), gp_Pnt(0, -infinity, 0), gp_Pnt(1.7e308, -1.7e308, 0)})
+        EXPECT_EQ(nearest_points(face, {nowhere}).failure().status, Status::InvalidOption);
     const Handle(Geom_Surface) offset = new Geom_OffsetSurface(BRep_Tool::Surface(face), 5.0);
     const auto procedural = nearest_points(BRepBuilderAPI_MakeFace(offset, 1e-7).Face(), {gp_Pnt(0, 0, 0)});
     EXPECT_EQ(procedural.failure().status, Status::NotSupported);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "distance_proof.h"
 
+#include "valley_bound.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,8 @@ namespace
 constexpr int deepest = 60;
 // Coefficients round by about so much of the largest term.
 constexpr double rounding = 1e-14;
+// A second derivative above so many times the coefficients' rounding is positive.
+constexpr double sure_curvature = 1e3;
 
 //! h = |N - w P|^2 - m^2 w^2 on a rectangle of the patch, and w^2 where that is not 1.
 struct Part
@@ -19,6 +23,7 @@ struct Part
     Bernstein h;
     Bernstein weight;
     UnitBox box;
+    double level = 0.0; //!< m^2
 };
 
 //! Second differences of the coefficients: bounds of the second derivatives up to a common factor.
@@ -74,7 +79,7 @@ class Prover
 public:
     Prover(const DistanceProof &proof, const std::function<double()> &reachable,
            const std::function<void(const LeafFoot &)> &offer)
-        : m_proof(proof), m_reachable(reachable), m_offer(offer), m_level(reachable() * reachable())
+        : m_proof(proof), m_reachable(reachable), m_offer(offer)
     {
     }
 
@@ -82,7 +87,7 @@ public:
     {
         Part whole = whole_part();
         const Bernstein::Range range = whole.h.range();
-        m_noise = rounding * (range.size() + m_level);
+        m_noise = rounding * (range.size() + whole.level);
         cover(std::move(whole), 0);
     }
 
@@ -101,46 +106,64 @@ private:
         }
         part.weight.reset(leaf.rational ? 2 * leaf.degree_u : 0, leaf.rational ? 2 * leaf.degree_v : 0);
         part.weight.add_product(1.0, leaf.piece.omega, leaf.piece.omega);
-        part.h.add_raised(-m_level, part.weight);
+        part.level = m_reachable() * m_reachable();
+        part.h.add_raised(-part.level, part.weight);
         return part;
     }
 
-    //! The level may have fallen since h was made, which lifts h by its change times w^2.
-    [[nodiscard]] bool passed_over(const Part &part) const
+    //! The best distance may have fallen since h was made.
+    void bring_up_to_date(Part &part) const
     {
         const double reach = m_reachable();
-        const double lift = (m_level - reach * reach) * part.weight.range().low;
-        return part.h.range().low + lift >= -m_noise;
+        const double level = reach * reach;
+        if (level < part.level)
+            part.h.add_raised(part.level - level, part.weight);
+        part.level = level;
     }
 
-    [[nodiscard]] bool one_minimum(const Part &part) const
+    [[nodiscard]] bool passed_over(const Part &part) const { return part.h.range().low >= -m_noise; }
+
+    [[nodiscard]] bool out_of_region(const Part &part) const
     {
-        if (!hessian(part, 0.0).positive())
+        return m_proof.may_touch && !m_proof.may_touch(part.box);
+    }
+
+    [[nodiscard]] bool one_minimum(const Part &part, const Hessian &bends) const
+    {
+        if (!bends.positive())
             return false;
-        return !m_proof.leaf.rational || hessian(part, m_level - m_proof.least * m_proof.least).positive();
+        return !m_proof.leaf.rational || hessian(part, part.level - m_proof.least * m_proof.least).positive();
     }
 
     void cover(Part part, int depth)
     {
-        if (passed_over(part))
+        bring_up_to_date(part);
+        if (passed_over(part) || out_of_region(part))
             return;
         const UnitBox &box = part.box;
-        const bool alone = one_minimum(part);
+        const Hessian bends = hessian(part, 0.0);
+        const bool alone = one_minimum(part, bends);
         if (alone || depth % 4 == 3)
         {
             const LeafFoot foot =
                 descend(m_proof.leaf, m_proof.p, box, 0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1), false, 0.0);
             m_offer(foot);
+            bring_up_to_date(part);
             if (alone || passed_over(part))
                 return;
         }
-        if (depth >= deepest)
+        const bool across_v = bends.vv.low * bends.uu.size() >= bends.uu.low * bends.vv.size();
+        const double curvature = across_v ? bends.vv.low : bends.uu.low;
+        const bool valley = curvature > sure_curvature * m_noise;
+        if (depth >= deepest || (valley && valley_is_above(part.h, m_noise, across_v, curvature)))
             return;
         Part upper;
-        const bool along_u = halves_along_u(part);
+        const bool along_valley = valley && !(m_proof.may_touch && depth % 2 == 1); // a region may lie beside it
+        const bool along_u = along_valley ? across_v : bends.uu.size() >= bends.vv.size();
         part.h.halve(along_u, upper.h);
         part.weight.halve(along_u, upper.weight);
         upper.box = part.box;
+        upper.level = part.level;
         if (along_u)
             part.box.x1 = upper.box.x0 = 0.5 * (box.x0 + box.x1);
         else
@@ -152,17 +175,9 @@ private:
         cover(std::move(upper), depth + 1);
     }
 
-    //! Along the direction in which h bends more.
-    static bool halves_along_u(const Part &part)
-    {
-        const Hessian bends = hessian(part, 0.0);
-        return bends.uu.size() >= bends.vv.size();
-    }
-
     const DistanceProof &m_proof;
     const std::function<double()> &m_reachable;
     const std::function<void(const LeafFoot &)> &m_offer;
-    double m_level;
     double m_noise = 0.0;
 };
 

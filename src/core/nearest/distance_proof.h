@@ -16,6 +16,8 @@ struct DistanceProof
     const PatchLeaf &leaf;
     const Eigen::Vector3d &p;
     double least = 0.0; //!< no point of the patch is nearer [mm]
+    //! False only if nothing in the rectangle counts; empty: all of the patch does.
+    std::function<bool(const UnitBox &)> may_touch;
 };
 
 //! \param reachable distance below which a point is of interest [mm]; falls as points are offered.

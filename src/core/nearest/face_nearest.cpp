@@ -112,6 +112,19 @@ NearestSearch::Region FaceNearest::Trim::rule() const
 
 SurfaceFoot FaceNearest::nearest(const Eigen::Vector3d &point) const
 {
+    const Eigen::Vector3d centre = m_hull.center();
+    const Eigen::Vector3d away = point - centre;
+    const double reach = most_sizes * m_hull.diagonal().norm();
+    const double largest = away.cwiseAbs().maxCoeff(); // squares may be too large for a number
+    if (!(largest > reach))
+        return nearest_of_near(point);
+    SurfaceFoot foot = nearest_of_near(centre + reach * (away / largest).normalized());
+    foot.distance = (point - foot.point).stableNorm();
+    return foot;
+}
+
+SurfaceFoot FaceNearest::nearest_of_near(const Eigen::Vector3d &point) const
+{
     const SurfaceFoot anywhere = m_form ? m_form->nearest(point) : m_search.nearest(point);
     if (!m_trim || m_trim->region.contains(gp_Pnt2d(anywhere.uv.x(), anywhere.uv.y())))
         return anywhere;

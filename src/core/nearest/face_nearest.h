@@ -28,6 +28,9 @@ public:
     //! Refusal at Stage::Trimming: NotSupported for a surface that is no spline and no exact_spline().
     static Result<FaceNearest> make(const InputFace &input, bool trimmed);
 
+    //! The nearest point, within the search's slack() or 1e-14 of the distance of the least distance, whichever is more. The
+    //! distance is infinite where it is too large for a number.
+    //! Precondition: the point's coordinates are finite.
     [[nodiscard]] SurfaceFoot nearest(const Eigen::Vector3d &point) const;
 
     [[nodiscard]] const NearestSearch &search() const { return m_search; }
@@ -42,9 +45,12 @@ private:
         [[nodiscard]] NearestSearch::Region rule() const;
     };
 
-    explicit FaceNearest(NearestSearch search) : m_search(std::move(search)) {}
+    explicit FaceNearest(NearestSearch search) : m_search(std::move(search)), m_hull(m_search.hull()) {}
+
+    [[nodiscard]] SurfaceFoot nearest_of_near(const Eigen::Vector3d &point) const;
 
     NearestSearch m_search;
+    Eigen::AlignedBox3d m_hull;
     std::optional<AnalyticNearest> m_form; //!< in place of the search, where there is a closed form
     std::optional<Trim> m_trim;
 };

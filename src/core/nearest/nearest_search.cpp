@@ -136,8 +136,11 @@ private:
         offer(leaf, foot);
         if (reachable() == 0.0 || (focus.convex && (foot.least >= square(reachable()) || is_least(foot))))
             return;
+        std::function<bool(const UnitBox &)> may_touch;
+        if (m_region)
+            may_touch = [&](const UnitBox &part) { return m_region->may_touch(m_search.to_surface(leaf, part)); };
         prove_distance(
-            {leaf, m_point, plane.least}, [&] { return reachable(); },
+            {leaf, m_point, plane.least, may_touch}, [&] { return reachable(); },
             [&](const LeafFoot &found) { offer(leaf, found); });
     }
 
@@ -240,6 +243,13 @@ Eigen::Vector2d NearestSearch::to_surface(const PatchLeaf &leaf, double x, doubl
     return {m_surface.u.to_surface(leaf.u_at(x)), m_surface.v.to_surface(leaf.v_at(y))};
 }
 
+ParameterBox NearestSearch::to_surface(const PatchLeaf &leaf, const UnitBox &box) const
+{
+    const Eigen::Vector2d low = to_surface(leaf, box.x0, box.y0);
+    const Eigen::Vector2d high = to_surface(leaf, box.x1, box.y1);
+    return {low.x(), high.x(), low.y(), high.y()};
+}
+
 int NearestSearch::leaf_at(const Eigen::Vector2d &st) const
 {
     int index = 0;
@@ -296,15 +306,16 @@ SurfaceFoot NearestSearch::follow(const Eigen::Vector3d &point, const Eigen::Vec
     return foot;
 }
 
+Eigen::AlignedBox3d NearestSearch::hull() const
+{
+    return Eigen::AlignedBox3d(m_nodes.front().hull).translate(m_origin);
+}
+
 std::vector<char> NearestSearch::touched(const Region &region) const
 {
     std::vector<char> result;
     for (const PatchLeaf &leaf : m_leaves)
-    {
-        const Eigen::Vector2d low = to_surface(leaf, 0.0, 0.0);
-        const Eigen::Vector2d high = to_surface(leaf, 1.0, 1.0);
-        result.push_back(region.may_touch({low.x(), high.x(), low.y(), high.y()}) ? 1 : 0);
-    }
+        result.push_back(region.may_touch(to_surface(leaf, UnitBox{})) ? 1 : 0);
     return result;
 }
 

@@ -34,13 +34,19 @@ struct SurfaceFoot
     double distance = 0.0; //!< to the point that was asked for [mm]
 };
 
+//! Points that are farther from a surface than so many times its size are brought nearer first. A point moved along its line
+//! to the surface's middle, from the distance L to M sizes s, finds a foot that is farther than the nearest one by
+//! s / (8 M) at most, which is less than the last bit of L.
+inline constexpr double most_sizes = 1e8;
+
 class NearestSearch
 {
 public:
     explicit NearestSearch(ExactSpline surface);
 
     //! The nearest point over the whole box, within slack() of the least distance.
-    //! Precondition: the point's coordinates are finite.
+    //! Precondition: the point is no farther away than most_sizes times the hull's diagonal; beyond that rounding
+    //! decides.
     [[nodiscard]] SurfaceFoot nearest(const Eigen::Vector3d &point) const;
 
     //! The same, faster where the surface at `guess` is near.
@@ -66,6 +72,8 @@ public:
     [[nodiscard]] std::size_t leaves() const { return m_leaves.size(); }
     //! What a distance may be too large by [mm].
     [[nodiscard]] double slack() const { return m_slack; }
+    //! A box around the surface.
+    [[nodiscard]] Eigen::AlignedBox3d hull() const;
 
 private:
     friend class NearestQuery;
@@ -84,6 +92,7 @@ private:
     void join(int index, int lower, int upper);
     [[nodiscard]] int leaf_at(const Eigen::Vector2d &st) const;
     [[nodiscard]] Eigen::Vector2d to_surface(const PatchLeaf &leaf, double x, double y) const;
+    [[nodiscard]] ParameterBox to_surface(const PatchLeaf &leaf, const UnitBox &box) const;
 
     ExactSpline m_surface;
     Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();
