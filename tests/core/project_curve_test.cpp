@@ -288,6 +288,35 @@ TEST(ProjectCurve, RealEdgesAlongBordersAndTurnedCirclesAreProven)
     }
 }
 
+//! An edge that leaves its own face by more than the file admits, beside a hollow crease: the refusal tells the tolerance with
+//! which it goes, and then how far it is off.
+TEST(ProjectCurve, ARealEdgeOffItsFaceIsRefusedWithTheToleranceThatWorks)
+{
+    const char *name = "dealii_DTMB5415_bulbous_bow.iges";
+    const auto path = test_support::find_data_file(name);
+    if (!path)
+        GTEST_SKIP() << test_support::missing_data_message(name);
+    const TopoDS_Face face = test_support::read_faces(*path).front();
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(face, TopAbs_EDGE, edges);
+    const TopoDS_Edge edge = TopoDS::Edge(edges(1));
+    const auto by_its_own_tolerance = project_curve(face, edge, {BRep_Tool::Tolerance(edge), Outside::Clip});
+    EXPECT_FALSE(by_its_own_tolerance.ok()) << "the edge is farther off than it says";
+    const auto refused = project_curve(face, edge);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_TRUE(refused.failure().where.has_value());
+    const std::string &message = refused.failure().message;
+    const std::string before = "a tolerance of ";
+    ASSERT_NE(message.find(before), std::string::npos) << message;
+    const double told = std::stod(message.substr(message.find(before) + before.size()));
+    EXPECT_LT(told, 0.2);
+    const auto image = project_curve(face, edge, {told, Outside::Clip});
+    ASSERT_TRUE(image.ok()) << image.failure().message;
+    ASSERT_TRUE(image.value().certified_error.has_value());
+    EXPECT_LE(*image.value().certified_error, told);
+    EXPECT_GT(image.value().distance, 2.0 * BRep_Tool::Tolerance(edge));
+}
+
 TEST(ProjectCurve, NoSurfaceGoesOnPastItsLastKnot)
 {
     const TopoDS_Face panel = test_support::panel_with_hole();

@@ -69,6 +69,42 @@ std::vector<PcurvePiece> closing_pieces(const InputFace &input, const TrimmingLo
     return closing;
 }
 
+//! Without the border that a loop may run along.
+ParameterBox shrunk(const ParameterBox &box)
+{
+    const double du = grazing * (box.umax - box.umin);
+    const double dv = grazing * (box.vmax - box.vmin);
+    return {box.umin + du, box.umax - du, box.vmin + dv, box.vmax - dv};
+}
+
+bool overlap(const ParameterBox &a, const ParameterBox &b)
+{
+    return a.umin < b.umax && a.umax > b.umin && a.vmin < b.vmax && a.vmax > b.vmin;
+}
+
+//! False only if an arc passes a rectangle by: it is halved until the boxes of its control points tell.
+bool arc_reaches(ControlPoints arc, const ParameterBox &box, int depth)
+{
+    constexpr int deepest = 50;
+    const auto at = [](const Eigen::Vector3d &p) { return gp_Pnt2d(p.x() / p.z(), p.y() / p.z()); };
+    const gp_Pnt2d start = at(arc.front());
+    ParameterBox around{start.X(), start.X(), start.Y(), start.Y()};
+    for (const Eigen::Vector3d &point : arc)
+    {
+        const gp_Pnt2d p = at(point);
+        around = {std::min(around.umin, p.X()), std::max(around.umax, p.X()), std::min(around.vmin, p.Y()),
+                  std::max(around.vmax, p.Y())};
+    }
+    if (!overlap(around, box))
+        return false;
+    const bool starts_inside =
+        start.X() > box.umin && start.X() < box.umax && start.Y() > box.vmin && start.Y() < box.vmax;
+    if (starts_inside || depth >= deepest)
+        return true;
+    const ControlPoints first = cut_off(arc, 0.5);
+    return arc_reaches(first, box, depth + 1) || arc_reaches(std::move(arc), box, depth + 1);
+}
+
 } // namespace
 
 LoopRegion::LoopRegion(const InputFace &input)
@@ -162,12 +198,21 @@ bool LoopRegion::contains(const gp_Pnt2d &uv) const
 
 bool LoopRegion::may_touch(const ParameterBox &box) const
 {
-    const double du = grazing * (box.umax - box.umin);
-    const double dv = grazing * (box.vmax - box.vmin);
+    const ParameterBox inner = shrunk(box);
     for (const PcurvePiece &piece : m_pieces)
-        if (piece.box.umin < box.umax - du && piece.box.umax > box.umin + du && piece.box.vmin < box.vmax - dv &&
-            piece.box.vmax > box.vmin + dv)
+        if (overlap(piece.box, inner))
             return true;
+    return contains(gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax)));
+}
+
+bool LoopRegion::touches(const ParameterBox &box) const
+{
+    const ParameterBox inner = shrunk(box);
+    for (const PcurvePiece &piece : m_pieces)
+        if (overlap(piece.box, inner))
+            for (const std::vector<gp_XYZ> &arc : piece.arcs)
+                if (arc_reaches(control_points(arc), inner, 0))
+                    return true;
     return contains(gp_Pnt2d(0.5 * (box.umin + box.umax), 0.5 * (box.vmin + box.vmax)));
 }
 

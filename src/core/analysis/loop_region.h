@@ -33,6 +33,9 @@ public:
     //! touch from outside does not count.
     [[nodiscard]] bool may_touch(const ParameterBox &box) const;
 
+    //! The same for small rectangles, which a piece's box may hold although the piece passes them by.
+    [[nodiscard]] bool touches(const ParameterBox &box) const;
+
     //! A box around the loops.
     [[nodiscard]] ParameterBox bounds() const;
 

@@ -12,6 +12,9 @@
 #include <Geom_BezierSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
@@ -292,6 +295,31 @@ Result<bool> measure(InputFace &input)
     return true;
 }
 
+//! A swept arc whose loops run beside its ends, as those of an arc over its circle's zero may do by a whole turn: the curve that
+//! the arc is a part of has the same parameters, and room for the loops.
+void untrim_profile(InputFace &input)
+{
+    const auto swept = Handle(Geom_SweptSurface)::DownCast(input.surface);
+    if (swept.IsNull())
+        return;
+    double u0, u1, v0, v1;
+    swept->Bounds(u0, u1, v0, v1);
+    const ParameterBox &box = input.box;
+    const bool beside = box.umin < u0 - Precision::PConfusion() || box.umax > u1 + Precision::PConfusion() ||
+                        box.vmin < v0 - Precision::PConfusion() || box.vmax > v1 + Precision::PConfusion();
+    Handle(Geom_Curve) profile = swept->BasisCurve();
+    while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(profile))
+        profile = trimmed->BasisCurve();
+    if (!beside || profile == swept->BasisCurve())
+        return;
+    const Handle(Geom_Geometry) whole = swept->Copy();
+    if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(whole))
+        revolution->SetBasisCurve(profile);
+    else
+        Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(whole)->SetBasisCurve(profile);
+    input.surface = Handle(Geom_Surface)::DownCast(whole);
+}
+
 Result<InputFace> read_checked(const TopoDS_Face &face)
 {
     InputFace input;
@@ -321,6 +349,7 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
                        "The face has no trimming loop; trim the surface to a finite face first.");
     if (const Result<bool> measured = measure(input); !measured)
         return measured.failure();
+    untrim_profile(input);
     return input;
 }
 

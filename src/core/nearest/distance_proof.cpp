@@ -74,6 +74,18 @@ Hessian hessian(const Part &part, double factor)
     return result;
 }
 
+//! A polynomial on a side of the square, constant in the other direction.
+Bernstein side_of(const Bernstein &h, bool along_u, bool high)
+{
+    const int m = h.degree_u();
+    const int n = h.degree_v();
+    Bernstein side(along_u ? 0 : m, along_u ? n : 0);
+    for (int i = 0; i <= side.degree_u(); ++i)
+        for (int j = 0; j <= side.degree_v(); ++j)
+            side.set_coefficient(i, j, h.coefficient(along_u ? (high ? m : 0) : i, along_u ? j : (high ? n : 0)));
+    return side;
+}
+
 class Prover
 {
 public:
@@ -123,10 +135,7 @@ private:
 
     [[nodiscard]] bool passed_over(const Part &part) const { return part.h.range().low >= -m_noise; }
 
-    [[nodiscard]] bool out_of_region(const Part &part) const
-    {
-        return m_proof.may_touch && !m_proof.may_touch(part.box);
-    }
+    [[nodiscard]] bool out_of_region(const Part &part) const { return m_proof.touches && !m_proof.touches(part.box); }
 
     [[nodiscard]] bool one_minimum(const Part &part, const Hessian &bends) const
     {
@@ -135,14 +144,54 @@ private:
         return !m_proof.leaf.rational || hessian(part, part.level - m_proof.least * m_proof.least).positive();
     }
 
+    //! 1 where the distance grows along u (v) all over the part, -1 where it falls, 0 where neither is known. It has the slope
+    //! of |N - w P|^2 - c^2 w^2 wherever it is c.
+    [[nodiscard]] int trend(const Part &part, bool along_u) const
+    {
+        const double sure = sure_curvature * m_noise;
+        const auto sign = [&](const Bernstein &h) {
+            Bernstein slope;
+            along_u ? slope.assign_derivative_u(h) : slope.assign_derivative_v(h);
+            const Bernstein::Range range = slope.range();
+            return range.low > sure ? 1 : range.high < -sure ? -1 : 0;
+        };
+        const int way = sign(part.h);
+        if (way == 0 || !m_proof.leaf.rational)
+            return way;
+        Bernstein lowest = part.h;
+        lowest.add_raised(part.level - m_proof.least * m_proof.least, part.weight);
+        return sign(lowest) == way ? way : 0;
+    }
+
+    //! Takes the part to the side or corner of the patch where alone it can have a minimum. False where it has none: the
+    //! distance falls towards a neighbour inside of the patch.
+    [[nodiscard]] bool narrowed(Part &part) const
+    {
+        for (const bool along_u : {true, false})
+        {
+            const int way = trend(part, along_u);
+            if (way == 0)
+                continue;
+            UnitBox &box = part.box;
+            const double side = along_u ? (way > 0 ? box.x0 : box.x1) : (way > 0 ? box.y0 : box.y1);
+            if (side > 0.0 && side < 1.0)
+                return false;
+            part.h = side_of(part.h, along_u, way < 0);
+            part.weight = side_of(part.weight, along_u, way < 0);
+            (along_u ? box.x0 : box.y0) = (along_u ? box.x1 : box.y1) = side;
+        }
+        return true;
+    }
+
     void cover(Part part, int depth)
     {
         bring_up_to_date(part);
-        if (passed_over(part) || out_of_region(part))
+        if (passed_over(part) || out_of_region(part) || (m_proof.touches && !narrowed(part)))
             return;
         const UnitBox &box = part.box;
         const Hessian bends = hessian(part, 0.0);
-        const bool alone = one_minimum(part, bends);
+        const bool corner = box.x0 == box.x1 && box.y0 == box.y1;
+        const bool alone = corner || one_minimum(part, bends);
         if (alone || depth % 4 == 3)
         {
             const LeafFoot foot =
@@ -158,8 +207,9 @@ private:
         if (depth >= deepest || (valley && valley_is_above(part.h, m_noise, across_v, curvature)))
             return;
         Part upper;
-        const bool along_valley = valley && !(m_proof.may_touch && depth % 2 == 1); // a region may lie beside it
-        const bool along_u = along_valley ? across_v : bends.uu.size() >= bends.vv.size();
+        const bool along_valley = valley && !(m_proof.touches && depth % 2 == 1); // a region may lie beside it
+        const bool wanted = along_valley ? across_v : bends.uu.size() >= bends.vv.size();
+        const bool along_u = box.y0 == box.y1 || (wanted && box.x0 < box.x1);
         part.h.halve(along_u, upper.h);
         part.weight.halve(along_u, upper.weight);
         upper.box = part.box;

@@ -16,8 +16,9 @@ struct DistanceProof
     const PatchLeaf &leaf;
     const Eigen::Vector3d &p;
     double least = 0.0; //!< no point of the patch is nearer [mm]
-    //! False only if nothing in the rectangle counts; empty: all of the patch does.
-    std::function<bool(const UnitBox &)> may_touch;
+    //! Empty where all of the patch counts. Else: false only if nothing in the rectangle does; the border of what counts is
+    //! known to be no nearer than `reachable` at first, so that only minima inside of it are of interest.
+    std::function<bool(const UnitBox &)> touches;
 };
 
 //! \param reachable distance below which a point is of interest [mm]; falls as points are offered.

@@ -107,6 +107,7 @@ Result<FaceNearest> FaceNearest::make(const InputFace &input, bool trimmed)
 NearestSearch::Region FaceNearest::Trim::rule() const
 {
     return {[this](const ParameterBox &box) { return region.may_touch(box); },
+            [this](const ParameterBox &box) { return region.touches(box); },
             [this](const Eigen::Vector2d &uv) { return region.contains(gp_Pnt2d(uv.x(), uv.y())); }};
 }
 

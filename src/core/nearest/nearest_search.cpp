@@ -136,11 +136,11 @@ private:
         offer(leaf, foot);
         if (reachable() == 0.0 || (focus.convex && (foot.least >= square(reachable()) || is_least(foot))))
             return;
-        std::function<bool(const UnitBox &)> may_touch;
+        std::function<bool(const UnitBox &)> touches;
         if (m_region)
-            may_touch = [&](const UnitBox &part) { return m_region->may_touch(m_search.to_surface(leaf, part)); };
+            touches = [&](const UnitBox &part) { return m_region->touches(m_search.to_surface(leaf, part)); };
         prove_distance(
-            {leaf, m_point, plane.least, may_touch}, [&] { return reachable(); },
+            {leaf, m_point, plane.least, touches}, [&] { return reachable(); },
             [&](const LeafFoot &found) { offer(leaf, found); });
     }
 

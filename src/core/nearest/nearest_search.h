@@ -59,6 +59,7 @@ public:
     struct Region
     {
         std::function<bool(const ParameterBox &)> may_touch; //!< false: no point of the rectangle counts
+        std::function<bool(const ParameterBox &)> touches;   //!< the same, sharper on small rectangles
         std::function<bool(const Eigen::Vector2d &)> contains;
     };
     //! Tells for every leaf whether it may touch the region; leaves() of them.

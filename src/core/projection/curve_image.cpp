@@ -5,6 +5,7 @@
 
 #include "../spline/geom_values.h"
 
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -24,6 +25,10 @@ constexpr int deepest = 26;
 constexpr std::size_t most_cubics = 10000;
 // Parts of the tolerance for the cubics, tried in turn.
 constexpr double fit_shares[] = {0.3, 0.05};
+// A tolerance that takes a jump into its cubics is larger than needs be by this factor: two digits of it are told.
+constexpr double bridging = 1.1;
+// Places between two knots of an image where its distance from the curve is measured.
+constexpr int places_per_span = 8;
 // Part of the tolerance that taking out knots may cost.
 constexpr double removal_share = 0.2;
 // A curve within this part of the tolerance of the surface may stay the edge's own curve.
@@ -221,8 +226,8 @@ private:
             Status::EdgeToleranceNotReached, Stage::Trimming,
             fmt::format("At its parameter {:.6g} the curve is {:.3g} mm away from the surface, and its nearest point "
                         "jumps by {:.3g} mm over a hollow crease; bring the curve nearer to the surface, or ask for "
-                        "a tolerance well above that distance.",
-                        at.t, at.distance, jump->width),
+                        "a tolerance of {:.2g} mm or more, which bridges the jump.",
+                        at.t, at.distance, jump->width, bridging * jump->width / fit_shares[0]),
             Where{gp_Pnt2d(at.uv.x(), at.uv.y()), gp_Pnt(at.point.x(), at.point.y(), at.point.z())}, std::nullopt};
     }
 
@@ -257,11 +262,29 @@ private:
                     continue;
                 if (std::optional<ImagePiece> piece = proven(fitted, on_surface, share * room))
                 {
-                    piece->distance = distance;
+                    piece->distance = std::max(distance, distance_seen(*piece));
                     return piece;
                 }
             }
         return std::nullopt;
+    }
+
+    //! Of the given curve from its image, between the image's knots: feet alone miss where it leaves the surface.
+    [[nodiscard]] double distance_seen(const ImagePiece &piece) const
+    {
+        const Geom2dAdaptor_Curve adaptor(piece.pcurve, piece.first, piece.last);
+        TColStd_Array1OfReal ends(1, adaptor.NbIntervals(GeomAbs_CN) + 1);
+        adaptor.Intervals(ends, GeomAbs_CN);
+        double distance = 0.0;
+        for (int i = 1; i < ends.Upper(); ++i)
+            for (int k = 0; k <= places_per_span; ++k)
+            {
+                const double t = ends(i) + (ends(i + 1) - ends(i)) * k / places_per_span;
+                const gp_Pnt2d uv = piece.pcurve->Value(t);
+                const gp_Pnt image = m_on.surface->Value(uv.X(), uv.Y());
+                distance = std::max(distance, image.Distance(m_curve.curve->Value(t)));
+            }
+        return distance;
     }
 
     //! With as few knots as the proof admits; where nothing can be proven, as samples admit.
