@@ -12,9 +12,15 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Ellipse.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -22,7 +28,6 @@
 #include <TopoDS_Wire.hxx>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -154,7 +159,8 @@ public:
         {
             bool moved = false;
             for (const auto &[x, y] : {std::pair{du, 0.0}, {-du, 0.0}, {0.0, dv}, {0.0, -dv}})
-                if (const gp_Pnt2d at(uv.X() + x, uv.Y() + y); inside(at) && point(at).Distance(p) < least)
+                if (const gp_Pnt2d at(uv.X() + x, uv.Y() + y);
+                    inside(at) && point(at).Distance(p) < least - 1e-12 * m_size)
                 {
                     least = point(at).Distance(p);
                     uv = at;
@@ -207,9 +213,22 @@ std::vector<gp_Pnt> around_axis(const gp_Ax3 &frame, const std::vector<double> &
 std::vector<TrimmedCase> trimmed_cases()
 {
     const gp_Ax3 frame(gp_Pnt(12, -5, 7), gp_Dir(1, 2, 3), gp_Dir(2, -1, 0));
+    const gp_Ax1 axis(frame.Location(), frame.Direction());
+    const auto at = [&](double r, double z) {
+        return frame.Location().Translated(r * gp_Vec(frame.XDirection()) + z * gp_Vec(frame.Direction()));
+    };
     const Handle(Geom_Surface) plane = new Geom_Plane(frame);
     const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(frame, 25.0);
     const Handle(Geom_Surface) cone = new Geom_ConicalSurface(frame, 0.5, 20.0);
+    const Handle(Geom_Surface) sphere = new Geom_SphericalSurface(frame, 40.0);
+    const Handle(Geom_Surface) torus = new Geom_ToroidalSurface(frame, 60.0, 15.0);
+    const gp_Ax2 round(frame.Location(), frame.Direction(), frame.XDirection());
+    const Handle(Geom_Surface) tube = new Geom_SurfaceOfLinearExtrusion(new Geom_Circle(round, 25.0), axis.Direction());
+    const Handle(Geom_Surface) funnel =
+        new Geom_SurfaceOfRevolution(new Geom_Line(at(30.0, 0.0), gp_Dir(gp_Vec(at(30.0, 0.0), at(45.0, 30.0)))), axis);
+    const gp_Ax2 meridian(at(60.0, 5.0), frame.YDirection(), frame.XDirection());
+    const Handle(Geom_Surface) ring = new Geom_SurfaceOfRevolution(new Geom_Circle(meridian, 15.0), axis);
+    const double apex = -20.0 / std::sin(0.5); // v there
     const double turn = 2.0 * M_PI;
     const auto about = [&](const std::vector<double> &heights, double radius) {
         return around_axis(frame, heights, radius);
@@ -222,6 +241,22 @@ std::vector<TrimmedCase> trimmed_cases()
         {"whole cylinder with holes",
          box_face(cylinder, {0, turn, -10, 30}, {{{1.5, 10}, 1.0, 8}, {{4.0, 12}, 0.2, 14}}), about(low, 25.0)},
         {"oval of a cone", oval_face(cone, {{2, 10}, 1.5, 18}, {}), about({-20.0 / std::tan(0.5), 0.0, 20.0}, 20.0)},
+        {"cone to its apex with a hole", box_face(cone, {0, turn, apex, 30}, {{{3, -5}, 1.4, 20}}),
+         about({-20.0 / std::tan(0.5), -50.0, 0.0, 20.0}, 20.0)},
+        {"oval of a sphere", oval_face(sphere, {{1, 0.3}, 1.3, 0.8}, {{{1.2, 0.4}, 0.3, 0.2}}),
+         about({-40.0, 0.0, 40.0, 55.0}, 40.0)},
+        {"whole sphere with holes", box_face(sphere, {0, turn, -M_PI_2, M_PI_2}, {{{2, 0.2}, 1.5, 1.1}}),
+         about({-70.0, -40.0, 0.0, 40.0, 70.0}, 40.0)},
+        {"cap with its pole", box_face(sphere, {0, turn, 0.4, M_PI_2}, {{{2, 1.0}, 0.8, 0.3}}),
+         about({-40.0, 0.0, 40.0, 70.0}, 40.0)},
+        {"oval of a torus, over both seams", oval_face(torus, {{6.2, 6.1}, 1.4, 1.7}, {{{6.0, 6.0}, 0.5, 0.6}}),
+         about({-15.0, 0.0, 15.0}, 60.0)},
+        {"whole torus with a hole", box_face(torus, {0, turn, 0, turn}, {{{3, 3}, 1.5, 1.8}}),
+         about({-15.0, 0.0, 15.0}, 60.0)},
+        {"oval of an extruded circle", oval_face(tube, {{3.0, 5}, 1.2, 18}, {{{3.4, 3}, 0.3, 6}}), about(low, 25.0)},
+        {"oval of a revolved line", oval_face(funnel, {{3.0, 10}, 1.9, 18}, {{{3.4, 12}, 0.3, 3}}), about(low, 40.0)},
+        {"oval of a revolved circle", oval_face(ring, {{3.0, 3}, 1.9, 2.2}, {{{3.4, 3}, 0.3, 0.9}}),
+         about({-15.0, 5.0, 15.0}, 60.0)},
     };
 }
 
@@ -277,6 +312,6 @@ TEST(TrimmedNearestPoint, NothingInsideTheLoopsIsNearer)
             ++(by_loops ? held : inner);
         }
     }
-    EXPECT_GT(held, 50);
-    EXPECT_GT(inner, 50);
+    EXPECT_GT(held, 200);
+    EXPECT_GT(inner, 200);
 }

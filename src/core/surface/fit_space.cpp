@@ -16,10 +16,11 @@ namespace
 {
 
 constexpr int least_rows = 12;
-// The direction with fewer breaks costs little and, with few poles, errs between rows: it looks at more of them. An
-// even number would pass over the middle of every interval.
+// A direction with far fewer breaks than the other costs little and, with few poles, errs between rows: it looks at more
+// of them. An even number would pass over the middle of every interval.
 constexpr int rows_for_few_breaks = 3;
-constexpr int fewest_poles = 2; // of a direction
+constexpr std::size_t far_fewer = 4; // so many times
+constexpr int fewest_poles = 2;      // of a direction
 // Weights that differ by no more than this relatively are one constant.
 constexpr double same_weight = 1e-14;
 
@@ -108,9 +109,12 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
 {
     const BaseSurface &base = sampler.base();
     const ParameterBox &box = base.box();
-    const bool fewer_u = base.interval_ends_u().size() < base.interval_ends_v().size();
-    const std::vector<double> rows_u = row_parameters(base.interval_ends_u(), fewer_u ? 1 : rows_for_few_breaks);
-    const std::vector<double> rows_v = row_parameters(base.interval_ends_v(), fewer_u ? rows_for_few_breaks : 1);
+    const std::size_t intervals_u = base.interval_ends_u().size() - 1;
+    const std::size_t intervals_v = base.interval_ends_v().size() - 1;
+    const bool few_u = far_fewer * intervals_u <= intervals_v;
+    const bool few_v = far_fewer * intervals_v <= intervals_u;
+    const std::vector<double> rows_u = row_parameters(base.interval_ends_u(), few_v ? rows_for_few_breaks : 1);
+    const std::vector<double> rows_v = row_parameters(base.interval_ends_v(), few_u ? rows_for_few_breaks : 1);
     KnotProblem along_u;
     along_u.tolerance = tolerance;
     along_u.max_degree = options.max_degree;
