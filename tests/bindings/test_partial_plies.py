@@ -149,15 +149,19 @@ def test_a_patch_may_lie_across_the_seam_of_a_tube(middle: float) -> None:
     assert all(ply.solid.isValid() for ply in stack.plies) and stack.laminate_solid().isValid()
 
 
-@pytest.mark.parametrize("towards", [(1, 0, 0), (-1, 0, 0), (0.6, -0.8, 0.0)])
-@pytest.mark.parametrize("kind", ["sphere", "moved", "mirrored"])
+@pytest.mark.parametrize("towards", [(1, 0, 0), (-1, 0, 0), (0.6, -0.64, 0.48), (0.8, 0.0, 0.6)])
+@pytest.mark.parametrize("kind", ["sphere", "moved", "mirrored", "spline"])
 def test_a_patch_on_a_whole_sphere(towards: tuple, kind: str) -> None:
+    if kind == "spline" and towards != (1, 0, 0):
+        pytest.skip("takes a minute; one direction stands for all on splines")
     radius = 100.0
     sphere = Part.makeSphere(radius).Faces[0]
     if kind == "moved":
         sphere.Placement = FreeCAD.Placement(FreeCAD.Vector(10, 2, 3), FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 50))
     elif kind == "mirrored":
         sphere = sphere.mirror(FreeCAD.Vector(), FreeCAD.Vector(1, 0, 0)).Faces[0]
+    elif kind == "spline":
+        sphere = sphere.toNurbs().Faces[0]
     place = sphere.Placement if kind == "moved" else FreeCAD.Placement()
     axis = place.Rotation.multVec(FreeCAD.Vector(*towards))
     across = 0.2  # radians from the axis to the circle
@@ -179,7 +183,7 @@ def test_a_patch_on_a_whole_sphere(towards: tuple, kind: str) -> None:
     thickness = stack.thickness(points)
     assert numpy.abs(thickness[angles < across - 0.01] - 1.5).max() < 2e-3 and (angles < across - 0.01).any()
     assert numpy.abs(thickness[angles > across + 0.01] - 1.0).max() < 2e-3
-    # by FreeCAD alone: the uppermost surface is three plies high over the patch, two well past the ramp, and between on the ramp
+    # by FreeCAD alone: the uppermost surface is three plies high over the patch, two past the ramp, and between on the ramp
     top = stack.plies[2].top_face
     u0, u1, v0, v1 = top.ParameterRange
     grid = [top.valueAt(u, v) - place.Base for u in numpy.linspace(u0, u1, 41) for v in numpy.linspace(v0, v1, 41)]
@@ -187,7 +191,7 @@ def test_a_patch_on_a_whole_sphere(towards: tuple, kind: str) -> None:
     heights = sign * (numpy.array([point.Length for point in grid]) - radius)
     assert (
         numpy.abs(heights[away < across] - 1.5).max() < 2e-3
-        and numpy.abs(heights[away > across + 0.4] - 1.0).max() < 2e-3
+        and numpy.abs(heights[away > across + 0.22] - 1.0).max() < 2e-3
     )
     assert (away < across).sum() > 3 and heights.min() > 1.0 - 2e-3 and heights.max() < 1.5 + 2e-3
 

@@ -157,6 +157,20 @@ def test_plies_that_cross_at_a_crease_have_no_solids() -> None:
     assert flat.report["warnings"] == []
 
 
+def test_plies_that_come_upon_another_part_of_a_creased_face_have_no_solids() -> None:
+    hook = [(0, 0), (0, -20), (20, -20), (20, 20), (-20, 20), (-20, 0.3), (-0.4, 0.3)]
+    poles = [FreeCAD.Vector(x, y, 0) for x, y in hook]
+    profile = Part.BSplineCurve()
+    profile.buildFromPolesMultsKnots(poles, [2] + [1] * (len(hook) - 2) + [2], range(len(hook)), False, 1)
+    face = profile.toShape().extrude(FreeCAD.Vector(0, 0, 50)).Faces[0]
+    stack = lo.stack_plies(face, lo.Layup((lo.Ply("P1", "tape", 0.5), lo.Ply("P2", "tape", 0.5)), direction="reversed"))
+    with pytest.raises(lo.OffsetError, match="share .* mm³.*other side") as refused:
+        stack.laminate_solid()
+    where = refused.value.where
+    assert refused.value.status == "self-intersection" and where is not None
+    assert abs(where["x"]) < 2.0 and abs(where["y"]) < 2.0 and -1e-6 < where["z"] < 50.0 + 1e-6
+
+
 def test_fibres_on_a_cylinder_follow_the_projected_axis() -> None:
     face = sample_shapes.cylinder_face(10.0, 20.0)
     stack = lo.stack_plies(face, sandwich())

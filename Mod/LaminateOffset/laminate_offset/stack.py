@@ -13,9 +13,10 @@ import numpy
 import Part
 
 from . import _core
-from .api import Length, Progress, millimetres
+from .api import Length, Progress, millimetres, nearest_point
 from .boundaries import Boundaries, Stagger, check_names, drop_off_of, gap_of, insets, named_boundaries
 from .core_sample import CoreSample, core_samples, covered, line_points, stack_thickness
+from .errors import OffsetError
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
 from .mass_properties import MassProperties, PlyProperties, measure
@@ -24,6 +25,8 @@ from .rosette import Rosettes, fibre_directions, rosette_of
 
 SURFACES = ("bottom", "middle", "top")
 RAMP_SLOPES = ("mean", "steepest")
+# Of the smaller of two solids: what touching ones share by rounding.
+OVERLAP_SHARE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -256,6 +259,8 @@ class PlyStack:
             return tuple(_core.ply_solids(list(faces.values()), spans))
         tolerance = self.report["tolerance"]
         parts = _core.creased_ply_solids(self.base_face, list(faces), spans, tolerance, self._max_degree)
+        for solids in parts:
+            _refuse_overlaps(solids, self.base_face)
         return tuple(Part.Compound(solids) for solids in parts)
 
     def export(self, path: str, solids: bool = False, schema: str = "AP214") -> None:
@@ -412,6 +417,25 @@ def _whole_plies(
     report = stack_report(layup, plies, reports, one_fit, elapsed)
     report["warnings"] += _crease_warning(reports)
     return PlyStack(layup, stacked, report, face, max_degree)
+
+
+def _refuse_overlaps(solids: Sequence[Any], face: Any) -> None:
+    """Parts of a creased face may come upon each other far from any crease."""
+    for i, one in enumerate(solids):
+        for other in solids[i + 1 :]:
+            if not one.BoundBox.intersect(other.BoundBox):
+                continue
+            shared = one.common(other)
+            if shared.Volume > OVERLAP_SHARE * min(one.Volume, other.Volume):
+                place = shared.Solids[0].CenterOfMass
+                u, v = nearest_point(face, [tuple(place)]).uv[0]
+                raise OffsetError(
+                    "self-intersection",
+                    "topology",
+                    f"Two parts of the creased face come so near each other that their plies share {shared.Volume:.3g} mm³, "
+                    "so they have no solids; stack fewer plies, or on the face's other side.",
+                    {"u": float(u), "v": float(v), "x": place.x, "y": place.y, "z": place.z},
+                )
 
 
 def _crease_warning(reports: Sequence[OffsetReport]) -> List[str]:

@@ -15,6 +15,8 @@ constexpr double samples_per_ramp = 6.0;
 constexpr int least_samples = 32;
 constexpr double most_samples = 2e4;
 constexpr int fan = 8; // directions around a corner
+constexpr int most_stretches = 8;
+constexpr double far_enough = 0.98;
 
 //! The sample for one direction away from the ply, in the tangent plane.
 EdgeSample sample_towards(const Eigen::Vector2d &uv, const SurfaceJet &jet, const Eigen::Vector3d &outward,
@@ -61,6 +63,23 @@ std::optional<EdgeWalk::End> EdgeWalk::at(const TrimmingCurve &curve, double t) 
     return End{{p.X(), p.Y()}, jet, outward / size};
 }
 
+//! Where the surface's parameters narrow away from the edge, as towards a sphere's pole, the tangent plane reaches less
+//! far than the ramp.
+void EdgeWalk::stretch(EdgeSample &sample) const
+{
+    const ParameterBox &box = m_base.box();
+    for (int i = 0; i < most_stretches; ++i)
+    {
+        const double u = std::clamp(sample.uv.x() + sample.reach.x(), box.umin, box.umax);
+        const double v = std::clamp(sample.uv.y() + sample.reach.y(), box.vmin, box.vmax);
+        const double reached = (m_base.jets({u}, {v}, 0).front().s - sample.point).norm();
+        const bool inside = u == sample.uv.x() + sample.reach.x() && v == sample.uv.y() + sample.reach.y();
+        if (!inside || !(reached > 0.0) || reached >= far_enough * m_length)
+            return;
+        sample.reach *= std::min(2.0, m_length / reached);
+    }
+}
+
 void EdgeWalk::walk(const TrimmingCurve &curve)
 {
     std::vector<EdgeSample> run;
@@ -76,6 +95,7 @@ void EdgeWalk::walk(const TrimmingCurve &curve)
             first = here;
         last = here;
         run.push_back(sample_towards(here->uv, here->jet, here->outward, m_length));
+        stretch(run.back());
     }
     if (!first)
         return;
@@ -102,7 +122,10 @@ void EdgeWalk::turn(const End &from, const End &to)
         const double part = static_cast<double>(i) / fan;
         const Eigen::Vector3d between = (1.0 - part) * from.outward + part * to.outward;
         if (between.norm() > 1e-3)
+        {
             run.push_back(sample_towards(to.uv, to.jet, between.normalized(), m_length));
+            stretch(run.back());
+        }
     }
     m_runs.push_back(std::move(run));
 }

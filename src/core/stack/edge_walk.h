@@ -44,6 +44,7 @@ private:
     [[nodiscard]] std::optional<End> at(const TrimmingCurve &curve, double t) const;
     void walk(const TrimmingCurve &curve);
     [[nodiscard]] int sample_count(const TrimmingCurve &curve) const;
+    void stretch(EdgeSample &sample) const;
     void turn(const End &from, const End &to);
 
     const BaseSurface &m_base;

@@ -15,6 +15,8 @@ namespace
 // The first knot stands a little outside of the ply, so that an edge that strays from its parameter line touches no
 // further span.
 constexpr double clearance = 0.02;
+// The last ones stand behind the ramp's end, so that spans wholly past the ramp keep its tail short.
+constexpr double behind = 1.0 + 1.0 / 3.0;
 // Densities of knots within this factor are made one; parameters within this part of the finest step are one.
 constexpr double same_density = 1.5;
 constexpr double same_place = 0.05;
@@ -36,7 +38,7 @@ std::vector<Zone> zones_of(const EdgeWalk &walk, int direction)
             Zone zone{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(), 0.0};
             for (const EdgeSample *sample : {&run[i], &run[i + 1]})
             {
-                for (const double part : {clearance, 1.0})
+                for (const double part : {clearance, behind})
                 {
                     const double place = sample->uv[direction] + part * sample->reach[direction];
                     zone.low = std::min(zone.low, place);

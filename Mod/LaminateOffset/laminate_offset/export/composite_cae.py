@@ -81,12 +81,30 @@ def export_composite_cae(
     """
     path = os.fspath(path)
     h5py = require_h5py()
+    if any(ply.report.crease for ply in stack.plies):
+        raise ValueError(
+            "The lay-up face has a crease, which the elements of the file would bridge; split the face there and export "
+            "a stack of each part."
+        )
     size = _element_size(stack, element_size)
     axes = _axes(stack, rosette)
     meshes = _meshes(stack, size)
+    image = _image(h5py, stack, axes, meshes)
     with replacing(path) as temporary:
-        with h5py.File(temporary, "w") as file:
+        with open(temporary, "wb") as file:
+            file.write(image)
+
+
+def _image(h5py: Any, stack: "PlyStack", axes: Dict[str, Rosette], meshes: Dict[int, "Elements"]) -> bytes:
+    """The file's bytes. They are made in memory: the HDF5 library does not survive a disk that is full when it closes."""
+    try:
+        with h5py.File("layup.h5", "w", driver="core", backing_store=False) as file:
             _Writer(h5py, file, stack, axes).write(meshes)
+            file.flush()
+            image: bytes = file.id.get_file_image()
+            return image
+    except RuntimeError as error:
+        raise FileError(f"The layup cannot be put into the HDF5 layout: {error}.") from error
 
 
 def require_h5py() -> Any:
@@ -117,6 +135,12 @@ def _axes(stack: "PlyStack", rosette: Optional[Rosettes]) -> Dict[str, Rosette]:
     plies = [ply.ply for ply in stack.plies]
     if rosette is None:
         check_one_rosette(plies, ALL_ROSETTES)
+        named = next((ply.ply.rosette for ply in plies if ply.ply.rosette), None)
+        if named is not None:
+            raise ValueError(
+                f"Rows of the layup name the rosette '{named}', which is not known; make a rosette of that name and give "
+                'it as rosette={"name": Rosette}.'
+            )
         rosette = usual_rosette(stack.base_face)
     return {ply.ply.rosette: rosette_of(rosette, ply.ply.rosette, plies) for ply in plies}
 
