@@ -14,6 +14,14 @@ namespace py = pybind11;
 
 namespace laminate_offset::python
 {
+
+py::dict place_for_python(const Where &where)
+{
+    using namespace py::literals;
+    return py::dict("u"_a = where.uv.X(), "v"_a = where.uv.Y(), "x"_a = where.point.X(), "y"_a = where.point.Y(),
+                    "z"_a = where.point.Z());
+}
+
 namespace
 {
 
@@ -29,11 +37,7 @@ py::object to_python(const std::optional<double> &value)
 
 py::object to_python(const std::optional<Where> &where)
 {
-    using namespace py::literals;
-    if (!where)
-        return py::none();
-    return py::dict("u"_a = where->uv.X(), "v"_a = where->uv.Y(), "x"_a = where->point.X(), "y"_a = where->point.Y(),
-                    "z"_a = where->point.Z());
+    return where ? py::object(place_for_python(*where)) : py::object(py::none());
 }
 
 py::object to_python(const std::optional<FeasibleRange> &range)

@@ -68,11 +68,8 @@ py::object steep_ramps_for_python(const std::optional<SteepRamps> &steep)
     using namespace py::literals;
     if (!steep)
         return py::none();
-    const gp_Pnt2d &uv = steep->where.uv;
-    const gp_Pnt &point = steep->where.point;
-    const py::dict where("u"_a = uv.X(), "v"_a = uv.Y(), "x"_a = point.X(), "y"_a = point.Y(), "z"_a = point.Z());
-    return py::dict("slope"_a = steep->slope, "alone"_a = steep->alone, "where"_a = where, "longest"_a = steep->longest,
-                    "plies"_a = steep->plies);
+    return py::dict("slope"_a = steep->slope, "alone"_a = steep->alone, "where"_a = place_for_python(steep->where),
+                    "longest"_a = steep->longest, "plies"_a = steep->plies);
 }
 
 std::vector<PlySpec> plies_of(const std::vector<PlyTuple> &tuples)

@@ -109,7 +109,6 @@ std::vector<double> with_ends(double low, const std::vector<SmoothnessBreak> &br
     return ends;
 }
 
-//! One side of the box with its margin, inside [first, last] unless the surface goes round.
 //! Is v a pole of a circle turned about an axis? Past it the surface runs back on the other side, with its normal turned
 //! round.
 bool is_pole(const Handle(Geom_Surface) & surface, double v)
@@ -120,6 +119,7 @@ bool is_pole(const Handle(Geom_Surface) & surface, double v)
     return gp_Lin(revolution->Axis()).Distance(revolution->BasisCurve()->Value(v)) <= Precision::Confusion();
 }
 
+//! One side of the box with its margin, inside [first, last] unless the surface goes round.
 void widen(double &low, double &high, double first, double last, bool periodic)
 {
     constexpr double margin = 0.01;

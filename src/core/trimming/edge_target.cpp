@@ -106,8 +106,9 @@ void EdgeTarget::add_values(const CurvePiece &piece, const double *parameters, R
             if (!surface || here != cell)
                 surface.emplace(*m_form, cell = here);
             surface->lane_values(uv.data(), uv.data() + lanes, points.data());
-            for (; k < count && m_form->cell_at(uv(k, 0), uv(k, 1)) == cell; ++k)
+            do
                 rows.row(from + k) += points.row(k).matrix();
+            while (++k < count && m_form->cell_at(uv(k, 0), uv(k, 1)) == cell);
         }
     }
 }
