@@ -4,6 +4,10 @@
 <context>
     <name>CoreSamplePanel</name>
     <message>
+        <source>The plies at the point, from the top; From and To are distances from the face in mm</source>
+        <translation>Die Lagen an dem Punkt, von oben; Von und Bis sind Abstände von der Fläche in mm</translation>
+    </message>
+    <message>
         <source>Core Sample</source>
         <translation>Kernprobe</translation>
     </message>
@@ -703,6 +707,10 @@
 <context>
     <name>OffsetFacePanel</name>
     <message>
+        <source>How far the preview is</source>
+        <translation>Wie weit die Vorschau ist</translation>
+    </message>
+    <message>
         <source>Offset Face</source>
         <translation>Fläche versetzen</translation>
     </message>
@@ -865,6 +873,10 @@
 <context>
     <name>PlyStackPanel</name>
     <message>
+        <source>none; e.g. 0, 8, 16</source>
+        <translation>keine; z. B. 0, 8, 16</translation>
+    </message>
+    <message>
         <source>Ply Stack</source>
         <translation>Lagenstapel</translation>
     </message>
@@ -919,6 +931,14 @@
     <message>
         <source>Boundary gap</source>
         <translation>Randabstand</translation>
+    </message>
+    <message>
+        <source>Stagger</source>
+        <translation>Staffelung</translation>
+    </message>
+    <message>
+        <source>Distances in mm by which successive plies keep inside of their boundary: 0, 8, 16 for all boundaries, or Edge=0,8,16; Patch=0,5 for boundaries with these labels</source>
+        <translation>Abstände in mm, um die aufeinanderfolgende Lagen innerhalb ihrer Grenze bleiben: 0, 8, 16 für alle Grenzen, oder Edge=0,8,16; Patch=0,5 für Grenzen mit diesen Bezeichnungen</translation>
     </message>
     <message>
         <source>Largest distance of a boundary from the face</source>

@@ -4,6 +4,10 @@
 <context>
     <name>CoreSamplePanel</name>
     <message>
+        <source>The plies at the point, from the top; From and To are distances from the face in mm</source>
+        <translation>Les plis au point, depuis le haut ; De et À sont des distances à la face en mm</translation>
+    </message>
+    <message>
         <source>Core Sample</source>
         <translation>Carotte</translation>
     </message>
@@ -703,6 +707,10 @@
 <context>
     <name>OffsetFacePanel</name>
     <message>
+        <source>How far the preview is</source>
+        <translation>Avancement de l'aperçu</translation>
+    </message>
+    <message>
         <source>Offset Face</source>
         <translation>Décaler une face</translation>
     </message>
@@ -865,6 +873,10 @@
 <context>
     <name>PlyStackPanel</name>
     <message>
+        <source>none; e.g. 0, 8, 16</source>
+        <translation>aucun ; p. ex. 0, 8, 16</translation>
+    </message>
+    <message>
         <source>Ply Stack</source>
         <translation>Empilement de plis</translation>
     </message>
@@ -919,6 +931,14 @@
     <message>
         <source>Boundary gap</source>
         <translation>Écart du contour</translation>
+    </message>
+    <message>
+        <source>Stagger</source>
+        <translation>Étagement</translation>
+    </message>
+    <message>
+        <source>Distances in mm by which successive plies keep inside of their boundary: 0, 8, 16 for all boundaries, or Edge=0,8,16; Patch=0,5 for boundaries with these labels</source>
+        <translation>Distances en mm dont les plis successifs restent à l'intérieur de leur contour : 0, 8, 16 pour tous les contours, ou Edge=0,8,16; Patch=0,5 pour les contours qui portent ces étiquettes</translation>
     </message>
     <message>
         <source>Largest distance of a boundary from the face</source>

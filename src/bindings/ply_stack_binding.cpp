@@ -63,13 +63,15 @@ py::object ramp_for_python(const std::optional<RampFigures> &ramp)
                     "steepest_slope"_a = ramp->steepest);
 }
 
-py::object steep_ramps_for_python(const std::optional<SteepRamps> &steep)
+py::list steep_ramps_for_python(const std::vector<SteepRamps> &places)
 {
     using namespace py::literals;
-    if (!steep)
-        return py::none();
-    return py::dict("slope"_a = steep->slope, "alone"_a = steep->alone, "where"_a = place_for_python(steep->where),
-                    "longest"_a = steep->longest, "plies"_a = steep->plies);
+    py::list result;
+    for (const SteepRamps &steep : places)
+        result.append(py::dict("slope"_a = steep.slope, "alone"_a = steep.alone,
+                               "where"_a = place_for_python(steep.where), "longest"_a = steep.longest,
+                               "plies"_a = steep.plies));
+    return result;
 }
 
 std::vector<PlySpec> plies_of(const std::vector<PlyTuple> &tuples)
@@ -175,8 +177,9 @@ void bind_ply_stack(py::module_ &module)
         "or None where that was not needed; for each ply its region and "
         "(shape, report, over a ramp) of its bottom, middle or None, and top, its LaidLayer and the figures of its "
         "ramp or None; for each boundary its "
-        "largest distance from the face or None; the largest error seen of an inset; where ramps that lie over each "
-        "other are steeper than one alone, or None; and the time in ms; or raises "
+        "largest distance from the face or None; the largest error seen of an inset; a list of where ramps that lie "
+        "over "
+        "each other are steeper than one alone; and the time in ms; or raises "
         "OffsetError, ValueError or TypeError.");
 }
 

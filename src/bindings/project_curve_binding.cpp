@@ -40,9 +40,10 @@ py::tuple project_curve_for_python(const py::object &shape, const py::object &ed
     for (const ProjectedEdge &edge : result.value().edges)
         edges.append(py::dict("first"_a = edge.first, "last"_a = edge.last, "certified_error"_a = edge.certified_error,
                               "sampled_error"_a = edge.sampled_error, "on_surface"_a = edge.on_surface,
-                              "distance"_a = edge.distance));
+                              "distance"_a = edge.distance, "certified_distance"_a = edge.certified_distance,
+                              "bridged"_a = edge.bridged));
     return py::make_tuple(to_part(result.value().wire, way), edges, result.value().certified_error,
-                          result.value().distance);
+                          result.value().distance, result.value().certified_distance);
 }
 
 } // namespace
@@ -53,8 +54,8 @@ void bind_project_curve(py::module_ &module)
     module.def("project_curve", &project_curve_for_python, py::arg("shape"), py::arg("edge_or_wire"),
                py::arg("tolerance") = defaults.tolerance, py::arg("outside") = "clip",
                "Drops a Part.Edge or Part.Wire onto one Part.Face; lengths in mm. Returns the wire, a list with a dict "
-               "for each of its edges, the proven error or None, and the largest distance; or raises OffsetError, "
-               "ValueError or TypeError.");
+               "for each of its edges, the proven error or None, the largest distance seen, and the proven one or "
+               "None; or raises OffsetError, ValueError or TypeError.");
 }
 
 } // namespace laminate_offset::python

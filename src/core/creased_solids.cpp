@@ -5,8 +5,8 @@
 
 #include "analysis/creases.h"
 #include "input/input_face.h"
+#include "surface/check_meetings.h"
 
-#include <Eigen/Geometry>
 #include <TopoDS.hxx>
 #include <fmt/format.h>
 
@@ -20,81 +20,69 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int crease_samples = 16;
-
-//! A part of the face and its surface, which ends at the creases.
+//! A part of the face and what is known of its surface, which ends at the creases.
 struct Part
 {
     const InputFace &input;
-    BaseSurface base;
+    SurfaceAnalysis analysis;
 };
 
-//! An edge of a part at a place: the normal S_u x S_v, and the direction that leads out of the part, both of length 1.
-struct Border
+Result<std::vector<Part>> analysed(const std::vector<InputFace> &inputs, double distance, double tolerance)
 {
-    Eigen::Vector3d normal;
-    Eigen::Vector3d outwards;
-};
-
-std::optional<Border> border_at(const Part &part, const TrimmingCurve &curve, double t)
-{
-    gp_Pnt2d uv;
-    gp_Vec2d along;
-    curve.pcurve->D1(t, uv, along);
-    const SurfaceJet jet = part.base.jets({uv.X()}, {uv.Y()}, 1).front();
-    const std::optional<Eigen::Vector3d> normal = part.base.unit_normal(jet, uv.X(), uv.Y());
-    if (!normal)
-        return std::nullopt;
-    const double sense = curve.edge.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
-    const Eigen::Vector3d out = sense * (along.X() * jet.u + along.Y() * jet.v).cross(*normal);
-    return out.norm() > 0.0 ? std::optional<Border>({*normal, out.normalized()}) : std::nullopt;
-}
-
-//! A place of an edge between two parts where their offsets at a distance along S_u x S_v cross each other.
-std::optional<gp_Pnt2d> crossing_on(const Part &one, const TrimmingCurve &a, const Part &other, const TrimmingCurve &b,
-                                    double distance, double tolerance)
-{
-    for (int i = 0; i <= crease_samples; ++i)
+    std::vector<Part> parts;
+    for (const InputFace &input : inputs)
     {
-        const double t = a.first + (a.last - a.first) * i / crease_samples;
-        const std::optional<Border> here = border_at(one, a, t), there = border_at(other, b, t);
-        if (!here || !there)
-            continue;
-        const Eigen::Vector3d across = distance * (there->normal - here->normal);
-        if (across.norm() > 0.5 * tolerance && across.dot(here->outwards - there->outwards) < 0.0)
-            return a.pcurve->Value(t);
+        Result<SurfaceAnalysis> analysis = read_base(input, distance, tolerance);
+        if (!analysis)
+            return analysis.failure();
+        parts.push_back({input, std::move(analysis).value()});
     }
-    return std::nullopt;
+    return parts;
 }
 
-std::vector<const TrimmingCurve *> curves_of(const InputFace &input)
+std::vector<CreaseEdge> edges_between(const std::vector<Part> &parts, double distance, double tolerance)
 {
-    std::vector<const TrimmingCurve *> curves;
-    for (const TrimmingLoop &loop : input.loops)
-        for (const TrimmingCurve &curve : loop.curves)
-            if (!curve.degenerated)
-                curves.push_back(&curve);
-    return curves;
+    std::vector<CreasedPart> creased;
+    for (const Part &part : parts)
+        creased.push_back({part.input, part.analysis.base});
+    return crease_edges(creased, distance, tolerance);
 }
 
-//! Nothing where all parts keep out of each other's way at a distance.
-std::optional<Failure> crossing(const std::vector<Part> &parts, double distance, double tolerance)
+//! The refusal of plies that cross at a crease; the other side helps only where no crease opens on this one.
+std::optional<Failure> crossing(const std::vector<Part> &parts, const std::vector<CreaseEdge> &edges, double distance)
 {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t j = i + 1; j < parts.size(); ++j)
-            for (const TrimmingCurve *a : curves_of(parts[i].input))
-                for (const TrimmingCurve *b : curves_of(parts[j].input))
-                    if (const auto place = a->edge.IsSame(b->edge)
-                                               ? crossing_on(parts[i], *a, parts[j], *b, distance, tolerance)
-                                               : std::nullopt)
-                        return Failure{
-                            Status::KinkedSurface, Stage::Topology,
-                            fmt::format("At {:.4g} mm the plies on both sides of a crease cross each other, so they "
-                                        "have no solids; stack on the face's other side, or round the crease by a "
-                                        "radius of more than that.",
-                                        std::abs(parts[i].input.from_face(distance))),
-                            parts[i].input.place(*place), std::nullopt};
-    return std::nullopt;
+    const auto crosses = [](const CreaseEdge &edge) { return edge.crosses.has_value(); };
+    const auto first = std::find_if(edges.begin(), edges.end(), crosses);
+    if (first == edges.end())
+        return std::nullopt;
+    const bool other_side = std::none_of(edges.begin(), edges.end(), [](const CreaseEdge &e) { return e.opens; });
+    const InputFace &input = parts[first->first].input;
+    return Failure{Status::KinkedSurface, Stage::Topology,
+                   fmt::format("At {:.4g} mm the plies on both sides of a crease cross each other, so they have no "
+                               "solids; {}round the crease by a radius of more than that.",
+                               std::abs(input.from_face(distance)),
+                               other_side ? "stack on the face's other side, or " : ""),
+                   input.place(*first->crosses), std::nullopt};
+}
+
+//! Refuses plies of different parts, from the face to the distance, that run into each other or that may.
+std::optional<Failure> overlap(const std::vector<Part> &parts, double distance, double tolerance)
+{
+    std::vector<AnalysedPart> bodies;
+    for (const Part &part : parts)
+        bodies.push_back({part.input, part.analysis, nullptr});
+    const Result<bool> apart =
+        check_part_meetings(bodies, edges_between(parts, distance, tolerance), distance, tolerance, Between::Plies);
+    if (!apart)
+        return apart.failure();
+    if (apart.value())
+        return std::nullopt;
+    const InputFace &input = parts.front().input;
+    return Failure{
+        Status::NotSupported, Stage::Topology,
+        "Whether plies of different parts of the creased face run into each other could not be settled; split the "
+        "face at its creases and stack the parts.",
+        input.place(input.loops.front().curves.front().pieces.front().start), std::nullopt};
 }
 
 TopoDS_Face located(const InputFace &part)
@@ -141,11 +129,12 @@ Result<std::vector<std::vector<TopoDS_Solid>>> all_solids(const TopoDS_Shape &fa
     const Result<std::vector<InputFace>> split = split_at_creases(input.value(), farthest, options.tolerance);
     if (!split)
         return split.failure();
-    std::vector<Part> parts;
-    for (const InputFace &part : split.value())
-        parts.push_back({part, base_beside_creases(part, {farthest, options.tolerance})});
+    const Result<std::vector<Part>> parts = analysed(split.value(), farthest, options.tolerance);
+    if (!parts)
+        return parts.failure();
     for (const double end : ends)
-        if (std::optional<Failure> crossed = crossing(parts, end, options.tolerance))
+        if (std::optional<Failure> crossed =
+                crossing(parts.value(), edges_between(parts.value(), end, options.tolerance), end))
             return *std::move(crossed);
     std::vector<std::vector<TopoDS_Solid>> result(spans.size());
     for (const InputFace &part : split.value())
@@ -156,6 +145,9 @@ Result<std::vector<std::vector<TopoDS_Solid>>> all_solids(const TopoDS_Shape &fa
         for (std::size_t i = 0; i < spans.size(); ++i)
             result[i].push_back(solids.value()[i]);
     }
+    for (const double end : ends)
+        if (std::optional<Failure> met = overlap(parts.value(), end, options.tolerance))
+            return *std::move(met);
     return result;
 }
 

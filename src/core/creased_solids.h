@@ -21,7 +21,8 @@ namespace laminate_offset
 //! \param distances finite, along the face's outward normal [mm]; options.distance is not used.
 //! \param spans count the distances from 0.
 //! Refusals: those of offset_stack and make_solids; KinkedSurface where parts cross at a crease, with its place, and where
-//! the face cannot be split.
+//! the face cannot be split; SelfIntersection where plies of different parts run into each other elsewhere;
+//! NotSupported where it cannot be settled whether they do.
 Result<std::vector<std::vector<TopoDS_Solid>>> creased_ply_solids(const TopoDS_Shape &face,
                                                                   const std::vector<double> &distances,
                                                                   const std::vector<SolidSpan> &spans,

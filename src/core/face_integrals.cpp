@@ -11,7 +11,9 @@ Result<FaceIntegrals> face_integrals(const TopoDS_Shape &face)
     try
     {
         const Result<InputFace> input = read_face(face);
-        return input ? integrate_face(input.value()) : input.failure();
+        if (!input)
+            return input.failure();
+        return integrate_face(input.value());
     }
     catch (const Standard_Failure &error)
     {
@@ -24,7 +26,9 @@ Result<std::vector<PlyIntegrals>> ply_integrals(const TopoDS_Shape &region, cons
     try
     {
         const Result<InputFace> input = read_face(region);
-        return input ? integrate_plies(input.value(), layers) : input.failure();
+        if (!input)
+            return input.failure();
+        return integrate_plies(input.value(), layers);
     }
     catch (const Standard_Failure &error)
     {

@@ -16,7 +16,7 @@ namespace laminate_offset
 
 //! The integrals of a trimmed face of any kind (analytic, swept, spline, offset surface), where it stands. See
 //! FaceIntegrals for what follows from them. At 1e-10 both rules agree on nearly every face; `relative_error` says so.
-//! Refusals: those of the stage Input; InvalidFace where a loop does not close in the surface's parameters.
+//! Refusals: those of the stage Input.
 Result<FaceIntegrals> face_integrals(const TopoDS_Shape &face);
 
 //! Area, volume and first moment of plies at varying distances over the part of a lay-up face that they cover, where it

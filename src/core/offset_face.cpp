@@ -26,6 +26,10 @@ namespace laminate_offset
 namespace
 {
 
+// A seam is one edge for both of its sides: what tears it, by less than a crease, may still be more than the edge has left.
+// Then it counts as a crease from this part of a crease's tear on.
+constexpr double seam_share = 0.1;
+
 //! Runs the stages one after the other, times them, and turns OpenCASCADE's exceptions into refusals.
 class Pipeline
 {
@@ -50,6 +54,7 @@ private:
     //! A face, or a part of it, after the stages that make its offset.
     struct Made
     {
+        SurfaceAnalysis analysis;
         OffsetSurface surface;
         TrimLoops loops;
         TopoDS_Face face;
@@ -87,7 +92,14 @@ private:
             return input.failure();
         Result<Made> whole = make(input.value(), m_options);
         if (!whole && whole.failure().status == Status::KinkedSurface)
-            return run_parts(input.value());
+        {
+            const Result<std::vector<InputFace>> parts = parts_of(input.value(), m_options.tolerance);
+            return parts ? run_parts(input.value(), parts.value()) : parts.failure();
+        }
+        if (!whole && whole.failure().status == Status::EdgeToleranceNotReached)
+            if (const auto parts = parts_of(input.value(), seam_share * m_options.tolerance);
+                parts && parts.value().size() > 1)
+                return run_parts(input.value(), parts.value());
         if (whole && m_options.extension > 0.0 && m_options.method == Method::SameParameter)
             whole = extended(input.value(), std::move(whole).value());
         leave();
@@ -126,8 +138,8 @@ private:
         return made;
     }
 
-    //! The parts between creases, each through all stages on its own.
-    Result<OffsetResult> run_parts(const InputFace &input)
+    //! \param tolerance half of it is how far a crease may tear the offset [mm].
+    Result<std::vector<InputFace>> parts_of(const InputFace &input, double tolerance)
     {
         enter(Stage::Analysis);
         if (m_options.extension > 0.0)
@@ -135,18 +147,23 @@ private:
                            "The face has creases that tear its offset into parts, which cannot be extended together; "
                            "offset without an extension, or extend the base face first.",
                            input.place(input.loops.front().curves.front().pieces.front().start), std::nullopt};
-        const Result<std::vector<InputFace>> parts =
-            split_at_creases(input, input.from_surface(m_options.distance), m_options.tolerance);
-        if (!parts)
-            return parts.failure();
+        return split_at_creases(input, input.from_surface(m_options.distance), tolerance);
+    }
+
+    //! The parts between creases, each through all stages on its own.
+    Result<OffsetResult> run_parts(const InputFace &input, const std::vector<InputFace> &parts)
+    {
         std::vector<Made> made;
-        for (const InputFace &part : parts.value())
+        for (const InputFace &part : parts)
         {
-            Result<Made> one = make(part, part_options(made.size(), parts.value().size()));
+            Result<Made> one = make(part, part_options(made.size(), parts.size()));
             if (!one)
-                return with_limits_of_all(one.failure(), parts.value());
+                return with_limits_of_all(one.failure(), parts);
             made.push_back(std::move(one).value());
         }
+        const Result<Creases> creases = examine_creases(parts, made);
+        if (!creases)
+            return creases.failure();
         enter(Stage::Topology);
         std::vector<OffsetPart> torn;
         std::vector<TopoDS_Face> faces;
@@ -155,13 +172,40 @@ private:
             torn.push_back({part.surface, part.loops});
             faces.push_back(part.face);
         }
-        OffsetReport report = joint_report(input, parts.value(), made);
-        const Tear tear = measure_tear(torn, m_options.tolerance);
-        report.gap = tear.width;
-        report.crease = tear.kind;
+        OffsetReport report = joint_report(input, parts, made);
+        report.gap = tear_width(torn, m_options.tolerance);
+        report.crease = creases.value().kind;
+        report.apart = report.apart && creases.value().apart;
         leave();
         report.elapsed = m_elapsed;
         return OffsetResult{build_shell(input, faces), std::move(report)};
+    }
+
+    //! What the parts of a creased face do to each other.
+    struct Creases
+    {
+        std::optional<CreaseKind> kind;
+        bool apart = true; //!< false: whether parts meet elsewhere could not be settled
+    };
+
+    Result<Creases> examine_creases(const std::vector<InputFace> &parts, const std::vector<Made> &made)
+    {
+        enter(Stage::Surface);
+        const double distance = parts.front().from_surface(m_options.distance);
+        std::vector<CreasedPart> creased;
+        std::vector<AnalysedPart> analysed;
+        for (std::size_t i = 0; i < made.size(); ++i)
+        {
+            creased.push_back({parts[i], made[i].analysis.base});
+            const bool moved = made[i].surface.parameter_map || made[i].surface.parameter_shift.Magnitude() > 0.0;
+            analysed.push_back({parts[i], made[i].analysis, moved ? nullptr : made[i].surface.geometry});
+        }
+        const std::vector<CreaseEdge> edges = crease_edges(creased, distance, m_options.tolerance);
+        const Result<bool> apart =
+            check_part_meetings(analysed, edges, distance, m_options.tolerance, Between::Nothing);
+        if (!apart)
+            return apart.failure();
+        return Creases{kind_of(edges), apart.value()};
     }
 
     //! What would work for one part has to work for the others too.
@@ -196,7 +240,7 @@ private:
     {
         const double distance = input.from_surface(options.distance);
         enter(Stage::Analysis);
-        const Result<SurfaceAnalysis> analysis = analyse(input, distance, options.tolerance);
+        Result<SurfaceAnalysis> analysis = analyse(input, distance, options.tolerance);
         if (!analysis)
             return analysis.failure();
         enter(Stage::Surface);
@@ -219,7 +263,8 @@ private:
             return face.failure();
         OffsetReport own = face_report(input, analysis.value(), surface.value(), loops.value(), options);
         own.extension = around.value().extension;
-        return Made{std::move(surface).value(), std::move(loops).value(), face.value(), std::move(own)};
+        return Made{std::move(analysis).value(), std::move(surface).value(), std::move(loops).value(), face.value(),
+                    std::move(own)};
     }
 
     //! What the paper's route adds around the offset surface before it is trimmed: the extension, and what puts curves

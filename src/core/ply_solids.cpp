@@ -16,7 +16,7 @@ Result<std::vector<TopoDS_Solid>> ply_solids(const std::vector<TopoDS_Shape> &fa
             return Failure{
                 Status::NotAFace, Stage::Topology,
                 "A ply's surface is not a single face, so no single solid is made from it: the base has creases, at "
-                "which its offsets are torn. Make the solids of its parts (creased_ply_solids).",
+                "which its offsets are torn. Split the face at its creases and stack the parts.",
                 std::nullopt, std::nullopt};
         single.push_back(TopoDS::Face(face));
     }

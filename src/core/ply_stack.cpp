@@ -196,9 +196,9 @@ public:
             ply_levels(input.value(), stacking(input.value()), regions.value(), fit_options());
         if (!levels)
             return levels.failure();
-        if (const std::optional<AddedRamps> &added = levels.value().added)
-            m_result.steep_ramps =
-                SteepRamps{added->slope, added->alone, input.value().place(added->uv), added->longest, added->plies};
+        for (const AddedRamps &added : levels.value().added)
+            m_result.steep_ramps.push_back(
+                {added.slope, added.alone, input.value().place(added.uv), added.longest, added.plies});
         return faces(regions.value(), levels.value());
     }
 

@@ -132,8 +132,9 @@ struct PlyStackResult
     //! Largest distance seen of each boundary from the face [mm], inside the face's loops; empty where no ply has it.
     std::vector<std::optional<double>> boundary_gaps;
     double inset_error = 0.0; //!< largest error seen of a boundary moved inwards [mm]; 0 where none was
-    //! The worst place where ramps together are steeper than each of them alone; empty where they are not.
-    std::optional<SteepRamps> steep_ramps;
+    //! Where ramps together are steeper than each of them alone by more than 5 percent: for every set of boundaries whose
+    //! ramps lie over each other the worst place, the worst set first.
+    std::vector<SteepRamps> steep_ramps;
     double elapsed = 0.0; //!< [ms]
 };
 

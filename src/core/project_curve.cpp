@@ -146,21 +146,27 @@ struct Proof
     }
 };
 
+//! Of two bounds; none where one of them is missing.
+std::optional<double> larger(const std::optional<double> &a, const std::optional<double> &b)
+{
+    return a && b ? std::optional<double>(std::max(*a, *b)) : std::nullopt;
+}
+
 CurveProjection summary(const std::vector<ImagePart> &parts, const InputFace &input, double tolerance)
 {
     CurveProjection result;
     result.certified_error = 0.0;
+    result.certified_distance = 0.0;
     for (const ImagePart &part : parts)
     {
         const ImagePiece &piece = part.piece;
-        ProjectedEdge edge{piece.pcurve,          part.given,       piece.first,   piece.last, std::nullopt,
-                           piece.deviation.bound, piece.on_surface, piece.distance};
+        ProjectedEdge edge{
+            piece.pcurve,          part.given,       piece.first,    piece.last,           std::nullopt,
+            piece.deviation.bound, piece.on_surface, piece.distance, piece.distance_bound, piece.bridged};
         if (piece.deviation.proven)
             edge.certified_error = piece.deviation.bound;
-        if (!edge.certified_error)
-            result.certified_error.reset();
-        else if (result.certified_error)
-            result.certified_error = std::max(*result.certified_error, *edge.certified_error);
+        result.certified_error = larger(result.certified_error, edge.certified_error);
+        result.certified_distance = larger(result.certified_distance, edge.certified_distance);
         result.distance = std::max(result.distance, edge.distance);
         result.edges.push_back(edge);
     }

@@ -40,14 +40,21 @@ struct ProjectedEdge
     //! given curve keeps away from the surface and E is made along the image.
     bool on_surface = true;
     double distance = 0.0; //!< largest distance seen between the given curve and its image [mm]
+    //! Proven bound of |C(t) - S(c(t))| [mm] for the given curve C: it keeps no farther from its image. Some 15 percent above the
+    //! true distance at worst; empty where one of the three has no closed form.
+    std::optional<double> certified_distance;
+    //! The image crosses a hollow crease, over which the nearest point jumps: there it is farther from the given curve than
+    //! the nearest point by up to the tolerance, or up to a tenth, as samples show.
+    bool bridged = false;
 };
 
 struct CurveProjection
 {
     TopoDS_Shape wire;                //!< a TopoDS_Wire, or a compound of wires where the image is in several parts
     std::vector<ProjectedEdge> edges; //!< in the order of the wire's edges
-    std::optional<double> certified_error; //!< largest one of the edges
-    double distance = 0.0;                 //!< largest one of the edges [mm]
+    std::optional<double> certified_error;    //!< largest one of the edges
+    double distance = 0.0;                    //!< largest one of the edges [mm]
+    std::optional<double> certified_distance; //!< largest one of the edges [mm]
 };
 
 //! Drops an edge or a wire onto the surface of a face, along the surface's normal. The wire stands on the face: its edges

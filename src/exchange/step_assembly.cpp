@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "step_assembly.h"
 
+#include "step_looks.h"
+
 #include <BRepBuilderAPI_Copy.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <StepData_StepModel.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TDF_Label.hxx>
 #include <TDataStd_Name.hxx>
@@ -82,6 +85,14 @@ void add_parts(const Handle(TDocStd_Document) & document, const std::string &nam
     shapes->UpdateAssemblies();
 }
 
+std::vector<std::string> names_of(const std::string &whole, const std::vector<NamedPart> &parts)
+{
+    std::vector<std::string> names{whole};
+    for (const NamedPart &part : parts)
+        names.push_back(part.name);
+    return names;
+}
+
 void write(const std::string &path, const std::string &name, const std::vector<NamedPart> &parts, StepSchema schema)
 {
     STEPCAFControl_Controller::Init();
@@ -94,7 +105,10 @@ void write(const std::string &path, const std::string &name, const std::vector<N
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
-    if (!writer.Transfer(document.get(), STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
+    if (!writer.Transfer(document.get(), STEPControl_AsIs))
+        throw std::runtime_error("OpenCASCADE could not write the assembly");
+    check_looks(writer.ChangeWriter().Model(), names_of(name, parts));
+    if (writer.Write(path.c_str()) != IFSelect_RetDone)
         throw std::runtime_error("OpenCASCADE could not write the assembly");
 }
 

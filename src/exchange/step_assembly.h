@@ -31,7 +31,8 @@ enum class StepSchema
 //! OpenCASCADE keeps its STEP settings in one place for the whole process: only one thread may be here at a time. They
 //! are as before afterwards.
 //! \throw std::invalid_argument when there is no part, or a shape is null.
-//! \throw std::runtime_error when OpenCASCADE cannot write it.
+//! \throw std::runtime_error when OpenCASCADE cannot write it, or would write it without a name or a colour; the file is
+//! then as before.
 void write_step_assembly(const std::string &path, const std::string &name, const std::vector<NamedPart> &parts,
                          StepSchema schema);
 

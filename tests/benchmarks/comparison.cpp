@@ -111,6 +111,7 @@ Comparison compare_one(const BaseFace &base, const Task &task, double limit_s)
     row.occt = run_in_child([&] { return run_occt(base.face, task); }, limit_s).outcome;
     for (int i = 0; i < repeats && row.both() && row.time_ratio() > doubtful_ratio; ++i)
     {
+        row.anew = true;
         take_quicker(row.ours, run_in_child([&] { return run_ours(base.face, task); }, limit_s).outcome);
         take_quicker(row.occt, run_in_child([&] { return run_occt(base.face, task); }, limit_s).outcome);
     }
@@ -129,14 +130,14 @@ void print_line(const Comparison &row, std::ostream &out)
 {
     out << fmt::format(
         "{:<44} {:>6} {:>9.4g} {:>6.0e} | {:>8} {:>5} {:>7} {:>6.2f} | {:>8.2f} {:>8.2f} {:>6.2f} | {:>9} {:>9.2e} "
-        "{:>9.2e} {} / {}{}{}\n",
+        "{:>9.2e} {} / {}{}{}{}\n",
         row.name, row.base_poles, row.task.distance, row.task.tolerance,
         fmt::format("{}x{}", row.ours.poles_u, row.ours.poles_v),
         fmt::format("{},{}", row.ours.degree_u, row.ours.degree_v), row.occt.poles(),
         row.both() ? row.pole_ratio() : 0.0, row.ours.ms, row.occt.ms, row.both() ? row.time_ratio() : 0.0,
         row.ours.certified ? fmt::format("{:.2e}", row.ours.bound) : "none", row.ours.sampled, row.occt.sampled,
         row.ours.status, row.occt.status, row.bound_exceeded() ? " BOUND EXCEEDED" : "",
-        row.ours.made && !row.ours.valid ? " INVALID" : "");
+        row.ours.made && !row.ours.valid ? " INVALID" : "", row.anew ? " *" : "");
     out.flush();
 }
 
@@ -163,6 +164,11 @@ void print_summary(const std::vector<Comparison> &rows, std::ostream &out)
     out << fmt::format("\n{} feasible cases; ours made {}, OCCT made {}\n", rows.size(),
                        std::count_if(rows.begin(), rows.end(), [](const Comparison &row) { return row.ours.made; }),
                        std::count_if(rows.begin(), rows.end(), [](const Comparison &row) { return row.occt.made; }));
+    out << fmt::format(
+        "{} of them (*) showed a time ratio above {} and were measured up to {} more times, both sides; of each side "
+        "the quickest median counts\n",
+        std::count_if(rows.begin(), rows.end(), [](const Comparison &row) { return row.anew; }), doubtful_ratio,
+        repeats);
     print_ratios(
         "Where both have a result", rows, [](const Comparison &) { return true; }, out);
     print_ratios("Where OCCT also meets its tolerance", rows, &Comparison::occt_in_tolerance, out);

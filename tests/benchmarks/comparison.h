@@ -20,6 +20,7 @@ struct Comparison
     Task task;
     Outcome ours;
     Outcome occt;
+    bool anew = false; //!< measured more than once, because the ratio of times looked doubtful
 
     [[nodiscard]] bool both() const { return ours.made && occt.made && occt.poles() > 0 && ours.poles() > 0; }
     [[nodiscard]] double pole_ratio() const { return static_cast<double>(ours.poles()) / occt.poles(); }

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -43,25 +44,44 @@ constexpr std::size_t projected_points = 200;
 
 void set_text(char *to, std::size_t size, const std::string &text) { to[text.copy(to, size - 1)] = '\0'; }
 
-//! Median time [ms] of so many runs at least; quick ones go on until they are `long_enough`, and, unless it is slow, a
-//! first run for threads and caches does not count.
-double timed(int least_runs, const std::function<void()> &run)
+//! Of the whole process [ms].
+double cpu_time()
 {
-    std::vector<double> times;
+    timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+//! Median times of so many runs at least, written to an outcome; quick ones go on until they are `long_enough`, and, unless it is slow, a
+//! first run for threads and caches does not count.
+void timed(int least_runs, const std::function<void()> &run, Outcome &outcome)
+{
+    std::vector<double> times, cpu_times;
     double total = 0.0;
     for (int i = 0; i <= least_runs || total < long_enough; ++i)
     {
         if (i == 1 && times.front() < slow)
+        {
             times.clear();
+            cpu_times.clear();
+        }
+        const double cpu_start = cpu_time();
         const auto start = std::chrono::steady_clock::now();
         run();
         times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        cpu_times.push_back(cpu_time() - cpu_start);
         if (times.back() > very_slow || (times.back() > slow && i >= 1))
             break;
         total += times.back();
     }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
+    outcome.ms = median(times);
+    outcome.cpu_ms = median(cpu_times);
 }
 
 //! S + d N of the base at grid points inside the loops of a face with the same parameters, where there is a normal.
@@ -213,7 +233,8 @@ Outcome run_ours(const TopoDS_Face &face, const Task &task)
     options.method = task.method;
     Outcome outcome;
     std::optional<Result<OffsetResult>> result;
-    outcome.ms = timed(task.runs, [&] { result = laminate_offset::offset_face(face, options); });
+    timed(
+        task.runs, [&] { result = laminate_offset::offset_face(face, options); }, outcome);
     if (result->ok())
     {
         record(result->value(), face, task, outcome);
@@ -234,7 +255,8 @@ Outcome run_occt(const TopoDS_Face &face, const Task &task)
     try
     {
         Handle(Geom_BSplineSurface) surface;
-        outcome.ms = timed(task.runs, [&] { surface = occt_surface(face, task); });
+        timed(
+            task.runs, [&] { surface = occt_surface(face, task); }, outcome);
         outcome.made = true;
         set_text(outcome.status, sizeof outcome.status, "ok");
         describe_surface(surface, outcome);

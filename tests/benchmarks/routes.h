@@ -33,6 +33,7 @@ struct Outcome
     char message[240] = "";
     int poles_u = 0, poles_v = 0, degree_u = 0, degree_v = 0;
     double ms = 0.0;
+    double cpu_ms = 0.0;            //!< of all threads together; other work on the machine hardly counts
     double bound = 0.0;             //!< certified_error [mm]
     double sampled = 0.0;           //!< largest deviation from S + d N inside the loops [mm]: at equal parameters, or,
                                     //!< where that misses the tolerance, the distance of S + d N to the surface

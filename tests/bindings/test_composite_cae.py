@@ -40,7 +40,15 @@ class Read:
     def __init__(self, path: Path) -> None:
         with h5py.File(path, "r") as file:
             self.root = file["composite_cae"]
-            names = ("format_version", "last_modified", "vendor", "unit_system", "length_unit", "unconfirmed_names")
+            names = (
+                "format_version",
+                "last_modified",
+                "vendor",
+                "unit_system",
+                "length_unit",
+                "unconfirmed_names",
+                "guessed_meanings",
+            )
             self.attributes = {name: text(self.root, name) for name in names}
             components = sorted(self.root["components"].values(), key=lambda node: node.attrs["layer_id"][0])
             self.plies = [self._component(node) for node in components]
@@ -49,6 +57,11 @@ class Read:
             self.names: List[str] = []
             self.attribute_names: List[str] = []
             self._walk("", self.root)
+
+    @classmethod
+    def of(cls, stack: lo.PlyStack, folder: Path) -> "Read":
+        stack.export(str(folder / "read.h5"))
+        return cls(folder / "read.h5")
 
     @staticmethod
     def _mesh(node: Any) -> Tuple[Any, Any]:
@@ -181,6 +194,8 @@ def test_units_and_names(tmp_path: Path) -> None:
     for pattern in read.attributes["unconfirmed_names"].split():
         found = fnmatch.filter(read.attribute_names if "." in pattern else read.names, pattern)
         assert len(found) == (3 if pattern.startswith("components") else 1), pattern
+    for pattern in read.attributes["guessed_meanings"].split():
+        assert fnmatch.filter(read.attribute_names if "." in pattern else read.names, pattern), pattern
     with h5py.File(tmp_path / "layup.hdf5", "r") as file:
         one, other = (file[f"composite_cae/components/component_{k}/data_map/reference_directions"] for k in (1, 3))
         assert one == other, "the same numbers are stored twice"
@@ -222,6 +237,17 @@ def test_faces_of_other_kinds(face: Any, tmp_path: Path) -> None:
     check_sides(found["elements"])
     if face.isClosed():
         assert border(found["elements"]) == 0
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 1), (1, 0, 0), (0, 1, 0)])
+def test_a_whole_tube_has_axes_of_its_own_accord(axis: Tuple[int, int, int], tmp_path: Path) -> None:
+    tube = Part.makeCylinder(30.0, 200.0, Vector(1, 2, 3), Vector(*axis)).Faces[0]
+    stack = lo.stack_plies(tube, layup())
+    stack.export(str(tmp_path / "layup.h5"))
+    (found,) = {ply["mesh"]: ply for ply in Read(tmp_path / "layup.h5").plies[:1]}.values()
+    assert numpy.abs(found["reference"] - numpy.array(axis)).max() < 1e-9, "x and y stand on a tube round the other one"
+    plate = Read.of(lo.stack_plies(sample_shapes.bspline_face(), layup()), tmp_path)
+    assert plate.plies[0]["reference"][:, 0].min() > 0.7, "x where it stands nowhere"
 
 
 def check_sides(triangles: Any) -> None:
@@ -273,9 +299,75 @@ def test_plies_of_several_rosettes(tmp_path: Path, capfd: pytest.CaptureFixture[
     files.write_shape(sample_shapes.bspline_face(), str(source), "base")
     stack.layup.write(str(table))
     arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.step")]
-    assert cli.main([*arguments, "--hdf5", str(tmp_path / "other.h5")]) == 2
-    assert "different rosettes" in capfd.readouterr().err
+    to_h5 = [*arguments, "--hdf5", str(tmp_path / "other.hdf5")]
+    nose, tail = ["--rosette", "nose=0,0,0:1,0,0"], ["--rosette", "tail=9,9,9:0,1,0"]
+    for given, reason in (
+        ([], "different rosettes .*give all of them with --rosette"),
+        (nose, "there is none for the rows that name 'tail'; give all of them"),
+        ([*nose, *tail, *tail], "tail is given twice"),
+        (
+            [*nose, *tail, "--rosette", "fin=0,0,0:1,0,0"],
+            "no row of the layup names 'fin'; the rows name 'nose', 'tail'",
+        ),
+        ([*nose, *tail, "--book", str(tmp_path / "book.html")], "different rosettes"),
+    ):
+        assert cli.main([*to_h5, *given]) == 2
+        assert re.search(reason, capfd.readouterr().err), given
+    for wrong in ("0,0,0", "0,0:1,0,0", "=0,0,0:1,0,0", "0,0,0:0,0,0", "a=0,0,x:1,0,0"):
+        with pytest.raises(SystemExit):
+            cli.main([*to_h5, "--rosette", wrong])
+        assert "write [NAME=]X,Y,Z:DX,DY,DZ" in capfd.readouterr().err
     assert sorted(os.listdir(tmp_path)) == ["base.brep", "layup.csv", "layup.h5"]
+    assert cli.main([*to_h5, *nose, *tail]) == 0
+    again = Read(tmp_path / "other.hdf5")
+    assert all(numpy.array_equal(a["fibres"], b["fibres"]) for a, b in zip(read.plies, again.plies))
+
+
+def test_rosettes_that_are_not_given(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    stack = lo.stack_plies(sample_shapes.bspline_face(), lo.Layup((lo.Ply("P1", "tape", 0.2, rosette="nose"),)))
+    with pytest.raises(
+        ValueError, match="name the rosette 'nose', which is not known; make a rosette .*and give it as rosette="
+    ):
+        stack.export(str(tmp_path / "layup.h5"))
+    assert os.listdir(tmp_path) == []
+    source, table, path = tmp_path / "base.brep", tmp_path / "layup.csv", tmp_path / "layup.h5"
+    files.write_shape(sample_shapes.bspline_face(), str(source), "base")
+    stack.layup.write(str(table))
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.step")]
+    arguments += ["--hdf5", str(path), "--calculix", str(tmp_path / "section.inp")]
+    assert cli.main(arguments) == 2 and "'nose', which is not known" in capfd.readouterr().err
+    assert not path.exists()
+    assert cli.main([*arguments, "--rosette", "nose=0,0,0:0,1,0"]) == 0
+    assert Read(path).plies[0]["reference"][:, 1].min() > 0.7 and Read(path).plies[0]["rosettes"] == ["nose"]
+
+
+def test_the_elements_do_not_bridge_a_crease(tmp_path: Path) -> None:
+    stack = lo.stack_plies(sample_shapes.roof_face(20.0, 50.0), layup())
+    with pytest.raises(
+        ValueError, match="has a crease, which the elements of the file would bridge; split the face there"
+    ):
+        stack.export(str(tmp_path / "layup.h5"))
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_full_disk_leaves_the_old_file(python: Any, tmp_path: Path) -> None:
+    path = tmp_path / "layup.h5"
+    path.write_bytes(b"old")
+    run = python(
+        "import resource\n"
+        "import laminate_offset as lo, Part\n"
+        "from laminate_offset.replacing import FileError\n"
+        "stack = lo.stack_plies(Part.makePlane(90, 90).Faces[0], lo.layup_from_notation('[0/90]', 'IM7-8552-134'))\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))\n"
+        "try:\n"
+        f"    stack.export({str(path)!r})\n"
+        "except FileError as error:\n"
+        "    print('refused:', error)\n"
+        "print('alive')\n"
+    )
+    assert run.returncode == 0 and "alive" in run.stdout, run.stderr
+    assert f"refused: {path}: cannot be written" in run.stdout
+    assert path.read_bytes() == b"old" and os.listdir(tmp_path) == ["layup.h5"]
 
 
 def test_what_cannot_be_written_says_why(tmp_path: Path) -> None:

@@ -441,6 +441,16 @@ def test_partial_plies_are_written(partial: lo.PlyStack, tmp_path: Path) -> None
 # All of them
 
 
+def test_angles_do_not_count_from_other_axes_than_the_rows_name(tmp_path: Path) -> None:
+    layup = lo.Layup((lo.Ply("P1", "tape", 0.2, 45.0, rosette="nose"),))
+    stack = lo.stack_plies(sample_shapes.bspline_face(), layup)
+    for write, name in ((lo.export_calculix, "a.inp"), (lo.export_ply_book, "a.html")):
+        with pytest.raises(ValueError, match="the rosette 'nose', which is not known.*rosette="):
+            write(stack, str(tmp_path / name))
+        write(stack, str(tmp_path / name), rosette=lo.Rosette((0, 0, 0), (1, 0, 0)))
+        assert (tmp_path / name).exists()
+
+
 def test_plies_of_several_rosettes_are_not_drawn_with_one(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     plies = (lo.Ply("P1", "tape", 0.2, rosette="nose"), lo.Ply("P2", "tape", 0.2, rosette="tail"))
     mixed = lo.stack_plies(sample_shapes.bspline_face(), lo.Layup(plies))

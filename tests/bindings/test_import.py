@@ -77,7 +77,7 @@ def test_it_works_in_freecadcmd(tmp_path: Path) -> None:
     code = (
         f"import sys; sys.path.insert(0, {str(PACKAGE.parent)!r})\n"
         f"import laminate_offset as lo, Part; {OFFSET_A_SPHERE}\n"
-        "print('way', lo.shape_exchange()); sys.exit(7)"
+        "print('way', lo.shape_exchange(), flush=True); sys.exit(7)"  # FreeCAD 1.0 ends without a flush of its own
     )
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     run = subprocess.run([program, "-c", code], env=environment, capture_output=True, text=True, timeout=120)

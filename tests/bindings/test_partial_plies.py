@@ -11,7 +11,7 @@ import pytest
 
 import laminate_offset as lo
 import sample_shapes
-from laminate_offset import cli, files
+from laminate_offset import boundaries, boundary_texts, cli, files, partial_stack
 
 RAMP = FreeCAD.Units.Quantity("60 mm")
 
@@ -95,6 +95,27 @@ def test_shapes_that_bound_plies() -> None:
     assert area["point"] == pytest.approx(area["left"], rel=1e-6)
     assert area["ring"] == pytest.approx(numpy.pi * (90**2 - 40**2), rel=0.05)
     assert all(ply.face.isValid() for ply in stack.plies)
+
+
+@pytest.mark.parametrize("half_width", [0.5, 20.0, 80.0, 400.0])
+@pytest.mark.parametrize("flat", [True, False])
+def test_a_line_may_go_past_the_edges(flat: bool, half_width: float) -> None:
+    face = Part.makePlane(400, 300, FreeCAD.Vector(-200, -150, 0)) if flat else plate()
+    line = Part.makeLine(FreeCAD.Vector(5 - half_width, -300, 2), FreeCAD.Vector(5 + half_width, 300, 2))
+    areas = []
+    for side in ("left", "right"):
+        stack = lo.stack_plies(
+            face,
+            layup("", "half", ""),
+            boundaries={"half": lo.Boundary(line, side=side)},
+            drop_off=RAMP,
+            boundary_gap=60.0,
+        )
+        areas.append(stack.plies[1].base_face.Area)
+        assert stack.plies[1].solid.isValid()
+    assert sum(areas) == pytest.approx(face.Area, rel=1e-4)
+    if flat and half_width < 100:
+        assert min(areas) == pytest.approx(300 * 195, rel=1e-6)
 
 
 def test_wrong_boundaries_are_named() -> None:
@@ -235,16 +256,19 @@ def test_ramps_that_add_up_are_warned_of(tmp_path: Path, capfd: pytest.CaptureFi
     plies = layup("", "half", "half", "half", "")
     together = lo.stack_plies(face, plies, boundaries=given)
     (warning,) = together.report["warnings"]
-    steep = together.report["steep_ramps"]
+    (steep,) = together.report["steep_ramps"]
     one = together.plies[1].ramp["steepest_slope"]
     assert steep["slope"] == pytest.approx(3 * one, rel=0.02) and steep["alone"] == pytest.approx(one, rel=1e-9)
-    assert steep["plies"] == ["P2", "P3", "P4"] and steep["longest"] == 10.0
+    assert steep["plies"] == ["P2", "P3", "P4"] and steep["boundaries"] == ["half"] and steep["longest"] == 10.0
     assert 30.0 < steep["where"]["x"] < 40.0 and steep["where"]["z"] == 0.0
-    assert warning.startswith("Plies P2, P3 and P4 end along one line") and "stagger (0, 10, ...)" in warning
+    assert (
+        warning.startswith("Plies P2, P3 and P4 end along one line")
+        and "stagger (0, 10, ...) of the boundary 'half'." in warning
+    )
     assert f"1:{1 / steep['slope']:.3g}, 3 times as steeply" in warning and f"({steep['where']['x']:.6g}, " in warning
     assert json.loads(together.to_json())["warnings"] == [warning]
     staggered = lo.stack_plies(face, plies, boundaries=given, stagger=[0, 10, 20])
-    assert staggered.report["warnings"] == [] and staggered.report["steep_ramps"] is None
+    assert staggered.report["warnings"] == [] and staggered.report["steep_ramps"] == []
     assert lo.stack_plies(face, layup("", "")).report["warnings"] == []
     source, outlines, table = tmp_path / "base.brep", tmp_path / "outlines.brep", tmp_path / "layup.csv"
     files.write_shape(face, str(source), "base")
@@ -256,6 +280,46 @@ def test_ramps_that_add_up_are_warned_of(tmp_path: Path, capfd: pytest.CaptureFi
     for stagger, warned in ((["--stagger", "1=0,10"], False), ([], True)):
         assert cli.main(arguments + stagger) == 0
         assert ("warning: Plies P2 and P3 end along one line" in capfd.readouterr().err) == warned
+
+
+def test_every_set_of_boundaries_is_warned_of_once() -> None:
+    face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
+    at = [Part.makeLine(FreeCAD.Vector(x, -200, 0), FreeCAD.Vector(x, 200, 0)) for x in (-120.0, 30.0, 34.0, 150.0)]
+    given = {name: lo.Boundary(line, side="left") for name, line in zip(("a", "b", "c", "d"), at)}
+    # two plies end at "a", "b" and "c" lie 4 mm apart, and "d" is by itself
+    stack = lo.stack_plies(face, layup("", "a", "a", "b", "c", "d", ""), boundaries=given)
+    places = {tuple(place["boundaries"]): place for place in stack.report["steep_ramps"]}
+    assert set(places) == {("a",), ("b", "c")} and len(stack.report["warnings"]) == 2
+    assert places["a",]["plies"] == ["P2", "P3"] and -120.0 < places["a",]["where"]["x"] < -110.0
+    assert places["b", "c"]["plies"] == ["P4", "P5"] and 30.0 < places["b", "c"]["where"]["x"] < 44.0
+    (pair,) = [text for text in stack.report["warnings"] if "P4" in text]
+    assert pair.startswith("Plies P4 and P5 end near each other: near (")
+    assert pair.endswith("Keep the boundaries 'b' and 'c' 10 mm apart.")
+    ratios = [place["slope"] / place["alone"] for place in stack.report["steep_ramps"]]
+    assert ratios == sorted(ratios, reverse=True) and ratios[0] == pytest.approx(2.0, rel=0.02)
+
+
+def test_figures_of_warnings_are_plain() -> None:
+    plain = [
+        (1234567.0, "1234567"),
+        (0.5, "0.5"),
+        (1e-9, "0"),
+        (-12.3456, "-12.3"),
+        (1000.0, "1000"),
+        (0.01234, "0.0123"),
+    ]
+    assert [partial_stack.plain(value) for value, _ in plain] == [text for _, text in plain]
+    up = [
+        (10.0, "10"),
+        (10.01, "11"),
+        (1234.0, "1300"),
+        (0.12301, "0.13"),
+        (0.000512, "0.00052"),
+        (9.99, "10"),
+        (2.5, "2.5"),
+        (99.5, "100"),
+    ]
+    assert [partial_stack.plain_up(value) for value, _ in up] == [text for _, text in up]
 
 
 @pytest.mark.parametrize("point", [(0, float("nan"), 0), "abc", "123", (1, 2), (1, 2, "x"), 5, (0, 0, float("inf"))])
@@ -320,6 +384,18 @@ def test_successive_plies_keep_inside_of_their_boundary() -> None:
         lo.stack_plies(face, layup("patch"), boundaries=given, stagger={"flap": [1]})
     with pytest.raises(lo.OffsetError, match="'patch'.*smaller distance"):
         lo.stack_plies(face, layup("patch"), boundaries=given, stagger=[95])
+
+
+def test_a_table_of_distances_has_one_for_every_ply() -> None:
+    rows = layup("pad", "pad", "rim").physical_plies()
+    assert boundaries.insets(rows, {"pad": [0.0, 5.0]}) == [0.0, 5.0, 0.0]
+    assert boundaries.insets(rows, [0.0, 5.0]) == [0.0, 5.0, 0.0]
+    for wrong in ({"pad": [0.0]}, {"pad": [0.0, 2.0, 5.0]}, {"rim": [0.0, 1.0]}, [0.0, 2.0, 5.0], [0.0]):
+        with pytest.raises(ValueError, match="distances for boundary.*one for each"):
+            boundaries.insets(rows, wrong)
+    assert boundary_texts.once([("a", 1), ("b", 2)], "stagger") == {"a": 1, "b": 2}
+    with pytest.raises(ValueError, match="--stagger: the boundary 'a' is given twice"):
+        boundary_texts.once([("a", 1), ("a", 2)], "--stagger")
 
 
 @pytest.mark.parametrize("ending", ["FCStd", "step", "brep"])

@@ -38,6 +38,9 @@ def test_a_ply_boundary_above_the_face_is_dropped() -> None:
     assert projection.wire.ShapeType == "Wire" and projection.wire.isClosed()
     assert projection.certified_error <= 1e-2 and not projection.edges[0]["on_surface"]
     assert 30.0 < projection.distance < 50.0
+    assert projection.distance <= projection.certified_distance <= 1.2 * projection.distance
+    assert projection.edges[0]["certified_distance"] == projection.certified_distance
+    assert projection.edges[0]["bridged"] is False
     check_on_face(face, projection, projection.certified_error)
     for point in projection.wire.discretize(15):  # the normal there meets the given circle
         u, v = face.Surface.parameter(point)

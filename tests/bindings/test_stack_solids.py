@@ -153,8 +153,27 @@ def test_plies_that_cross_at_a_crease_have_no_solids() -> None:
     assert refused.value.where["y"] == pytest.approx(0.0, abs=1e-6) and refused.value.where["z"] == pytest.approx(0.0)
     with pytest.raises(lo.OffsetError, match="cross each other"):
         lo.stack_plies(face, sandwich(reference="middle"), solids=True)
+    (warning,) = lo.stack_plies(face, sandwich(reference="middle")).report["warnings"]
+    assert "stack all plies on the side that opens, or round" in warning
     flat = lo.stack_plies(sample_shapes.bspline_face(), sandwich())
     assert flat.report["warnings"] == []
+
+
+def test_the_other_side_is_no_remedy_where_both_cross() -> None:
+    heights = [1.0] * 8 + [-1.0] * 4 + [1.0] * 8  # of a ridge that is a valley in its middle
+    poles = [[FreeCAD.Vector(10.0 * i, y, h * (y == 0.0)) for i, h in enumerate(heights)] for y in (-20.0, 0.0, 20.0)]
+    surface = Part.BSplineSurface()
+    knots = list(range(len(heights) - 2))
+    surface.buildFromPolesMultsKnots(
+        poles, [2, 1, 2], [4] + [1] * (len(knots) - 2) + [4], [0, 1, 2], knots, False, False, 1, 3
+    )
+    for direction in ("normal", "reversed"):
+        stack = lo.stack_plies(surface.toShape(), lo.Layup((lo.Ply("P1", "tape", 1.0),), direction=direction))
+        (warning,) = stack.report["warnings"]
+        assert "have no solids; round the creases." in warning
+        with pytest.raises(lo.OffsetError, match="no solids; round the crease by a radius") as refused:
+            stack.laminate_solid()
+        assert refused.value.status == "kinked-surface"
 
 
 def test_plies_that_come_upon_another_part_of_a_creased_face_have_no_solids() -> None:
@@ -163,12 +182,18 @@ def test_plies_that_come_upon_another_part_of_a_creased_face_have_no_solids() ->
     profile = Part.BSplineCurve()
     profile.buildFromPolesMultsKnots(poles, [2] + [1] * (len(hook) - 2) + [2], range(len(hook)), False, 1)
     face = profile.toShape().extrude(FreeCAD.Vector(0, 0, 50)).Faces[0]
-    stack = lo.stack_plies(face, lo.Layup((lo.Ply("P1", "tape", 0.5), lo.Ply("P2", "tape", 0.5)), direction="reversed"))
-    with pytest.raises(lo.OffsetError, match="share .* mm³.*other side") as refused:
-        stack.laminate_solid()
-    where = refused.value.where
-    assert refused.value.status == "self-intersection" and where is not None
-    assert abs(where["x"]) < 2.0 and abs(where["y"]) < 2.0 and -1e-6 < where["z"] < 50.0 + 1e-6
+    plies = lo.Layup((lo.Ply("P1", "tape", 0.5), lo.Ply("P2", "tape", 0.5)), direction="reversed")
+    with pytest.raises(lo.OffsetError, match="another part of the creased face; use a smaller distance") as refused:
+        lo.offset_face(face, -1.0)
+    assert refused.value.status == "self-intersection" and refused.value.stage == "surface"
+    tip = [lo.Ply("P1", "tape", 0.1), lo.Ply("P2", "tape", 0.1)]
+    assert len(lo.stack_plies(face, lo.Layup(tuple(tip), direction="reversed")).laminate_solid().Solids) == 6
+    for distances in (plies, lo.Layup((lo.Ply("P1", "tape", 6.0),), direction="reversed")):
+        with pytest.raises(lo.OffsetError, match="another part of the creased face") as refused:
+            lo.stack_plies(face, distances, solids=True)
+        where = refused.value.where
+        assert refused.value.status == "self-intersection" and where is not None
+        assert abs(where["x"]) < 20.1 and abs(where["y"]) < 20.1 and -1e-6 < where["z"] < 50.0 + 1e-6
 
 
 def test_fibres_on_a_cylinder_follow_the_projected_axis() -> None:

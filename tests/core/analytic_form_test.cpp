@@ -5,6 +5,7 @@
 #include "support/sample_faces.h"
 
 #include <laminate_offset/analysis/analytic_form.h>
+#include <laminate_offset/analysis/closed_limits.h>
 #include <laminate_offset/offset_limits.h>
 #include <laminate_offset/surface/offset_surface.h>
 
@@ -185,6 +186,54 @@ TEST(AnalyticForm, AHalfCircleRevolvedAllButAboutItsCentreIsASphereWithAnError)
     EXPECT_FALSE(analytic_form(read_face(face_on(beside)).value())) << "a spindle";
     const Disguised tiny{"sphere", turned(circle({1e-8, 0, 3}, -gp::DY(), gp::DX(), 1e-3)), {0.3, 2.0, -1.0, 0.8}};
     EXPECT_FALSE(analytic_form(read_face(face_on(tiny)).value())) << "off by a part of its radius that counts";
+}
+
+//! The surface itself, as OpenCASCADE evaluates it, is nowhere curved more than its limits say, but next to the axis.
+TEST(AnalyticForm, LimitsOfARoundedSphereHoldForTheSurfaceAsItStands)
+{
+    constexpr double radius = 25.0;
+    int sharper = 0, judged = 0;
+    for (const auto &[off, beside] : {std::pair{-9e-8, 0.0}, std::pair{-5e-8, 5e-8}, std::pair{-1e-9, 0.0},
+                                      std::pair{8e-8, 0.0}, std::pair{0.0, -9e-8}})
+        for (const double top : {0.0, 0.8, 1.5, M_PI_2 - 1e-3, M_PI_2})
+        {
+            SCOPED_TRACE(testing::Message() << off << ", " << beside << " off the axis, to " << top);
+            const double m = std::hypot(off, beside);
+            const Rectangle part{0.3, 2.0, top - 0.9, top};
+            const Disguised d{"sphere", turned(circle({off, beside, 3}, -gp::DY(), gp::DX(), radius)), part};
+            const auto limits = closed_limits(read_face(face_on(d)).value());
+            ASSERT_TRUE(limits);
+            ASSERT_EQ(limits->negative.has_value(), !limits->positive.has_value());
+            const CurvatureLimit &limit = limits->negative ? *limits->negative : *limits->positive;
+            EXPECT_LT(std::abs(limit.distance), radius);
+            EXPECT_GT(std::abs(limit.distance), radius - 1.01 * std::sqrt(m * radius));
+            if (top <= 0.8)
+            {
+                EXPECT_GT(std::abs(limit.distance), radius - 2.0 * m);
+            }
+            EXPECT_GE(std::abs(limit.folds), radius);
+            EXPECT_LT(std::abs(limit.folds), radius + 1e-9);
+            double least = 1e100;
+            for (int i = 0; i <= 4000; ++i)
+            {
+                const double part_way = i / 4000.0;
+                const double v = part.v1 - (part.v1 - part.v0) * part_way * part_way * part_way; // dense near the pole
+                if (radius * std::cos(v) < std::sqrt(m * radius))
+                    continue;
+                gp_Pnt s;
+                gp_Vec u1, v1, uu, vv, uv;
+                d.surface->D2(1.0, v, s, u1, v1, uu, vv, uv);
+                const gp_Vec normal = u1.Crossed(v1).Normalized();
+                const double across = std::abs(uu.Dot(normal)) / u1.SquareMagnitude();
+                const double along = std::abs(vv.Dot(normal)) / v1.SquareMagnitude();
+                least = std::min(least, 1.0 / std::max(across, along));
+                ++judged;
+            }
+            EXPECT_LE(std::abs(limit.distance), least + 1e-10);
+            sharper += least < radius - 10.0 * m ? 1 : 0;
+        }
+    EXPECT_GT(judged, 50000);
+    EXPECT_GE(sharper, 5) << "near a pole the surface is really curved more than the sphere";
 }
 
 TEST(AnalyticForm, ToleranceBelowTheErrorOfTheFormIsKeptOtherwise)

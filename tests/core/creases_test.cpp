@@ -20,9 +20,13 @@
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -366,6 +370,123 @@ TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
         ASSERT_TRUE(result.ok()) << why(result);
         expect_parts_right(base, result.value(), distance, 2);
         expect_tear(result.value().report, seen_tear(base, true, 1.0, 0.0, 50.0, distance));
+    }
+}
+
+//! A closed section, 100 long and smooth but for its sharp tail, where it begins and ends; 30 from the z axis or more.
+Handle(Geom_BSplineCurve) teardrop()
+{
+    const double x[] = {130, 110, 80, 45, 30, 30, 30, 45, 80, 110, 130};
+    const double z[] = {0, 3, 12, 16, 10, 0, -10, -16, -12, -3, 0};
+    TColgp_Array1OfPnt poles(1, 11);
+    for (int i = 1; i <= 11; ++i)
+        poles(i) = gp_Pnt(x[i - 1], 0.0, z[i - 1]);
+    TColStd_Array1OfReal knots(1, 9);
+    TColStd_Array1OfInteger multiplicities(1, 9);
+    for (int i = 1; i <= 9; ++i)
+    {
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == 9 ? 4 : 1;
+    }
+    return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+}
+
+TEST(CreasedFace, ASharpSeamIsOpened)
+{
+    const Handle(Geom_Surface) wing = new Geom_SurfaceOfLinearExtrusion(teardrop(), gp::DY());
+    const Handle(Geom_Surface) ring = new Geom_SurfaceOfRevolution(teardrop(), gp::OZ());
+    const Handle(Geom_Surface) spline_wing =
+        GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(wing, 0.0, 8.0, 0.0, 200.0));
+    const auto turned = Handle(Geom_BSplineSurface)::DownCast(spline_wing->Copy());
+    turned->ExchangeUV();
+    struct Case
+    {
+        const char *name;
+        TopoDS_Face face;
+        bool constant_u;
+    };
+    const Case cases[] = {{"extrusion", BRepBuilderAPI_MakeFace(wing, 0.0, 8.0, 0.0, 200.0, 1e-7), true},
+                          {"spline", face_on(spline_wing), true},
+                          {"spline with u and v exchanged", face_on(turned), false},
+                          {"ring", face_on(ring), false}};
+    for (const Case &tube : cases)
+        for (const double distance : {0.4, -0.4, 2.0, -2.0})
+        {
+            SCOPED_TRACE(testing::Message() << tube.name << " distance " << distance);
+            const auto result = offset(tube.face, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            expect_parts_right(tube.face, result.value(), distance, 2);
+            double u0, u1, v0, v1;
+            BRepTools::UVBounds(tube.face, u0, u1, v0, v1);
+            const gp_Pnt2d low(u0, v0), high = tube.constant_u ? gp_Pnt2d(u1, v0) : gp_Pnt2d(u0, v1);
+            const gp_Vec apart = outward_normal(tube.face, low) - outward_normal(tube.face, high);
+            ASSERT_GT(apart.Magnitude(), 1.5) << "the tail is sharp";
+            EXPECT_NEAR(*result.value().report.gap, std::abs(distance) * apart.Magnitude(), 0.02 * std::abs(distance));
+            // into the section the sides meet, out of it they part
+            const gp_Pnt tail = BRep_Tool::Surface(tube.face)->Value(u0, v0);
+            gp_Pnt2d beside = tube.constant_u ? gp_Pnt2d(u0 + 0.3, v0) : gp_Pnt2d(u0, v0 + 0.3);
+            const gp_Pnt side = BRep_Tool::Surface(tube.face)->Value(beside.X(), beside.Y());
+            const bool outwards = (distance * outward_normal(tube.face, beside)).Z() * (side.Z() - tail.Z()) > 0.0;
+            EXPECT_EQ(*result.value().report.crease, outwards ? CreaseKind::Gap : CreaseKind::Overlap);
+            const auto limits = offset_limits(tube.face);
+            ASSERT_TRUE(limits.ok());
+            EXPECT_TRUE(limits.value().negative && limits.value().positive);
+        }
+}
+
+TEST(CreasedFace, ASmoothSeamIsNoCreaseHoweverSmallTheTolerance)
+{
+    // the nose of a flat ellipse turns fast beside the seam
+    const gp_Ax2 axes(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0));
+    const Handle(Geom_Surface) ellipse =
+        new Geom_SurfaceOfLinearExtrusion(new Geom_Ellipse(axes, 500.0, 20.0), gp::DY());
+    const Handle(Geom_Surface) spline =
+        GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(ellipse, 0.0, 2.0 * M_PI, 0.0, 300.0));
+    const TopoDS_Face faces[] = {
+        BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 1000.0), 0.0, 2.0 * M_PI, 0.0, 300.0, 1e-7),
+        BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp_Ax3(), 1000.0), 1e-7),
+        BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), 1000.0, 300.0), 1e-7),
+        BRepBuilderAPI_MakeFace(ellipse, 0.0, 2.0 * M_PI, 0.0, 300.0, 1e-7), face_on(spline)};
+    for (const TopoDS_Face &face : faces)
+        for (const double wanted : {1e-3, 1e-5, 1e-6})
+        {
+            SCOPED_TRACE(testing::Message() << BRep_Tool::Surface(face)->DynamicType()->Name() << " " << wanted);
+            const auto result = offset(face, 100.0, wanted);
+            ASSERT_TRUE(result.ok()) << why(result);
+            EXPECT_EQ(result.value().report.faces, 1);
+            EXPECT_FALSE(result.value().report.gap.has_value());
+        }
+}
+
+TEST(CreasedFace, ASeamThatIsSmoothEnoughStaysClosed)
+{
+    // a tube whose sides meet at the seam under a small angle
+    for (const auto &[angle, parts] : {std::pair(0.0, 1), {1e-5, 1}, {2.2e-4, 2}, {1e-2, 2}})
+    {
+        SCOPED_TRACE(angle);
+        TColgp_Array1OfPnt poles(1, 9);
+        const double x[] = {40, 40, 20, -20, -40, -20, 20, 40, 40}, z[] = {0, 20, 40, 40, 0, -40, -40, -20, 0};
+        for (int i = 1; i <= 9; ++i)
+            poles(i) = gp_Pnt(x[i - 1], 0.0, z[i - 1]);
+        poles(2).SetX(40.0 + 20.0 * std::tan(angle));
+        TColStd_Array1OfReal knots(1, 7);
+        TColStd_Array1OfInteger multiplicities(1, 7);
+        for (int i = 1; i <= 7; ++i)
+        {
+            knots(i) = i - 1;
+            multiplicities(i) = i == 1 || i == 7 ? 4 : 1;
+        }
+        const Handle(Geom_Curve) section = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+        const TopoDS_Face base =
+            BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(section, gp::DY()), 0.0, 6.0, 0.0, 100.0, 1e-7);
+        for (const double distance : {2.0, -2.0})
+        {
+            const auto result = offset(base, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            EXPECT_EQ(result.value().report.faces,
+                      parts); // the third: half a tolerance is too much beside the fit's own
+            EXPECT_LE(result.value().report.edge_error.value_or(1.0), tolerance);
+        }
     }
 }
 

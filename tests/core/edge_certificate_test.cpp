@@ -216,6 +216,46 @@ TEST(EdgeCertificate, HoldsForEveryKindOfPcurveAndSurface)
     EXPECT_LE(loosest, 1.3);
 }
 
+TEST(CurvePiece, ARangeHoldsTheCurveAndEndsWhereItEnds)
+{
+    RandomCases random;
+    int monotone = 0;
+    for (int round = 0; round < 8; ++round)
+        for (const NamedPcurve &pcurve : pcurves(random))
+        {
+            const auto curve = AnalyticCurve::make(pcurve.curve, pcurve.first, pcurve.last);
+            ASSERT_TRUE(curve) << pcurve.name;
+            for (const double part : {1.0, 0.3, 1e-3})
+            {
+                const double a = pcurve.first + random.uniform(0.0, 1.0 - part) * (pcurve.last - pcurve.first);
+                std::vector<double> ends = analytic_ends(*curve, a, a + part * (pcurve.last - pcurve.first));
+                for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+                {
+                    const CurvePiece piece(*curve, ends[i], ends[i + 1]);
+                    const CurveRange range = piece.range();
+                    const Eigen::Vector3d start = piece.value(ends[i]);
+                    const Eigen::Vector3d slack = 2.0 * piece.rounding();
+                    for (int k = 0; k <= 200; ++k)
+                    {
+                        const Eigen::Vector3d value = piece.value(ends[i] + (ends[i + 1] - ends[i]) * k / 200);
+                        ASSERT_TRUE(((value - range.low + slack).array() >= 0.0).all()) << pcurve.name;
+                        ASSERT_TRUE(((range.high - value + slack).array() >= 0.0).all()) << pcurve.name;
+                    }
+                    // a short piece that runs to one side ends its range with its own end
+                    const bool hyperbola = pcurve.name == "hyperbola";
+                    const double run = piece.value(ends[i + 1]).x() - start.x();
+                    if (part < 0.01 && !hyperbola && std::abs(run) > 1e-6)
+                    {
+                        ++monotone;
+                        const double end = run > 0.0 ? range.low.x() : range.high.x();
+                        EXPECT_NEAR(end, start.x(), slack.x()) << pcurve.name;
+                    }
+                }
+            }
+        }
+    EXPECT_GT(monotone, 40);
+}
+
 TEST(EdgeCertificate, BadCurvesAreNeverProven)
 {
     RandomCases random;

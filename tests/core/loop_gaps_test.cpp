@@ -3,8 +3,16 @@
 #include "support/random_cases.h"
 
 #include <laminate_offset/analysis/loop_region.h>
+#include <laminate_offset/evaluate_face.h>
+#include <laminate_offset/extend_face.h>
 #include <laminate_offset/face_integrals.h>
 #include <laminate_offset/input/loop_gaps.h>
+#include <laminate_offset/nearest_point.h>
+#include <laminate_offset/offset_face.h>
+#include <laminate_offset/offset_limits.h>
+#include <laminate_offset/offset_stack.h>
+#include <laminate_offset/ply_stack.h>
+#include <laminate_offset/project_curve.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -16,6 +24,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopoDS.hxx>
@@ -24,6 +33,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <string>
 
 using namespace laminate_offset;
 using test_support::RandomCases;
@@ -98,6 +110,60 @@ TopoDS_Vertex vertex_at(const gp_Pnt &p)
     TopoDS_Vertex vertex;
     builder.MakeVertex(vertex, p, 1e-7);
     return vertex;
+}
+
+//! A whole turn of a cylinder, bounded by two circles, and by its seam where there is one.
+TopoDS_Face tube(const Handle(Geom_Surface) & cylinder, double radius, double u_end, bool with_seam)
+{
+    constexpr double height = 30.0;
+    const TopoDS_Vertex ends[] = {vertex_at(gp_Pnt(radius, 0, 0)), vertex_at(gp_Pnt(radius, 0, height))};
+    std::vector<TopoDS_Edge> circles;
+    for (const int top : {0, 1})
+    {
+        const double v = top * height;
+        const gp_Ax2 axes(gp_Pnt(0, 0, v), gp_Dir(0, 0, 1), gp_Dir(1, 0, 0));
+        const TopoDS_Edge edge =
+            edge_on(cylinder, {0, v}, {u_end, v}, new Geom_Circle(axes, radius), ends[top], ends[top]);
+        circles.push_back(top == 1 ? TopoDS::Edge(edge.Reversed()) : edge);
+    }
+    if (!with_seam)
+        return face_of(cylinder, {{circles[0]}, {circles[1]}});
+    const Handle(Geom_Curve) line = new Geom_Line(gp_Pnt(radius, 0, 0), gp_Dir(0, 0, 1));
+    TopoDS_Edge seam = edge_on(cylinder, {0, 0}, {0, height}, line, ends[0], ends[1]);
+    BRep_Builder().UpdateEdge(seam, new Geom2d_Line({u_end, 0}, gp_Dir2d(0, 1)),
+                              new Geom2d_Line({0, 0}, gp_Dir2d(0, 1)), cylinder, TopLoc_Location(), 1e-7);
+    return face_of(cylinder, {{circles[0], seam, circles[1], TopoDS::Edge(seam.Reversed())}});
+}
+
+//! What every way into the engine says of a face, by name; no failure where it is taken.
+std::map<std::string, std::optional<Failure>> answers(const TopoDS_Face &face)
+{
+    std::map<std::string, std::optional<Failure>> result;
+    const auto note = [&](const char *name, const auto &answer) {
+        result[name] = answer ? std::nullopt : std::optional<Failure>(answer.failure());
+    };
+    const std::vector<gp_Pnt> points{gp_Pnt(25, 1, 10)};
+    const std::vector<gp_Pnt2d> places{gp_Pnt2d(1, 10)};
+    OffsetOptions options;
+    options.distance = 1.0;
+    ExtensionOptions extension;
+    extension.length = 5.0;
+    extension.sides = {Side::VMin, Side::VMax};
+    note("limits", offset_limits(face));
+    note("nearest", nearest_points(face, points));
+    note("nearest trimmed", nearest_points(face, points, true));
+    note("evaluate", evaluate_face(face, places));
+    note("curvatures", face_curvatures(face, places));
+    note("project", project_curve(face, BRepBuilderAPI_MakeEdge(gp_Pnt(21, -3, 10), gp_Pnt(21, 3, 20)).Edge()));
+    note("extend", extend_face(face, extension));
+    note("integrals", face_integrals(face));
+    note("offset", offset_face(face, options));
+    options.method = Method::RaviKumar;
+    note("offset by the paper", offset_face(face, options));
+    options.method = Method::SameParameter;
+    note("stack", offset_stack(face, {0.5, 1.0}, options));
+    note("plies", stack_plies(face, {{0.25, {}}, {0.25, {}}}, {}, {}));
+    return result;
 }
 
 //! An eighth of a sphere that runs into its pole without a degenerated edge.
@@ -219,24 +285,68 @@ TEST(LoopGaps, SidesOfASeamStayApart)
 TEST(LoopGaps, AMissingSeamIsAJump)
 {
     const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20.0);
-    std::vector<std::vector<TopoDS_Edge>> loops;
-    for (const double v : {0.0, 30.0})
+    const InputFace input = read_face(tube(cylinder, 20.0, 2 * M_PI, true)).value();
+    const TrimmingLoop &loop = input.loops.front();
+    ASSERT_EQ(loop.curves.size(), 4u);
+    int checked = 0;
+    for (const TrimmingCurve &curve : loop.curves)
     {
-        const gp_Ax2 axes(gp_Pnt(0, 0, v), gp_Dir(0, 0, 1), gp_Dir(1, 0, 0));
-        const TopoDS_Vertex start = vertex_at(gp_Pnt(20, 0, v));
-        const TopoDS_Edge edge = edge_on(cylinder, {0, v}, {2 * M_PI, v}, new Geom_Circle(axes, 20.0), start, start);
-        loops.push_back({v > 0.0 ? TopoDS::Edge(edge.Reversed()) : edge});
-    }
-    const TopoDS_Face face = face_of(cylinder, loops);
-    const InputFace input = read_face(face).value();
-    ASSERT_EQ(input.loops.size(), 2u);
-    for (const TrimmingLoop &loop : input.loops)
-    {
-        const std::vector<LoopGap> gaps = loop_gaps(input, loop, ends_of(loop));
+        const TrimmingLoop alone{loop.wire, {curve}};
+        const std::vector<LoopGap> gaps = loop_gaps(input, alone, curve_ends(alone));
         ASSERT_EQ(gaps.size(), 1u);
         EXPECT_TRUE(gaps.front().jump);
+        ++checked;
     }
-    EXPECT_EQ(face_integrals(face).failure().status, Status::InvalidFace);
+    EXPECT_EQ(checked, 4);
+}
+
+//! The same text and place from every way in; with the seam, every one takes the face.
+TEST(LoopGaps, AMissingSeamIsRefusedEverywhere)
+{
+    constexpr double radius = 20.0;
+    const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), radius);
+    for (const bool turned : {false, true})
+    {
+        SCOPED_TRACE(turned);
+        const auto placed = [&](const TopoDS_Face &face) { return turned ? TopoDS::Face(face.Reversed()) : face; };
+        for (const auto &[name, failure] : answers(placed(tube(cylinder, radius, 2 * M_PI, true))))
+            EXPECT_FALSE(failure) << name << ": " << failure->message;
+        const auto refused = answers(placed(tube(cylinder, radius, 2 * M_PI, false)));
+        EXPECT_EQ(refused.size(), 12u);
+        for (const auto &[name, failure] : refused)
+        {
+            ASSERT_TRUE(failure) << name;
+            EXPECT_EQ(failure->status, Status::InvalidFace) << name;
+            EXPECT_EQ(failure->stage, Stage::Input) << name;
+            EXPECT_NE(failure->message.find("seam edge is missing"), std::string::npos) << name;
+            ASSERT_TRUE(failure->where) << name;
+            EXPECT_LT(failure->where->point.Distance(gp_Pnt(radius, 0, 0)), 1e-6) << name;
+        }
+    }
+}
+
+//! Widths that are no numbers leave every curve with a follower.
+TEST(LoopGaps, WidthsThatAreNoNumbersAreJumps)
+{
+    InputFace input = read_face(polygon_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})).value();
+    const TrimmingLoop &loop = input.loops.front();
+    const std::vector<CurveEnds> ends = curve_ends(loop);
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 0.0})
+    {
+        input.box = {bad, bad, bad, bad};
+        for (const TrimmingLoop &tried : {loop, without_vertices(loop)})
+        {
+            const std::vector<LoopGap> gaps = loop_gaps(input, tried, ends);
+            ASSERT_EQ(gaps.size(), ends.size());
+            std::vector<gp_Pnt2d> starts;
+            for (const LoopGap &gap : gaps)
+            {
+                for (const gp_Pnt2d &before : starts)
+                    EXPECT_GT(before.Distance(gap.to), 0.5); // each start once
+                starts.push_back(gap.to);
+            }
+        }
+    }
 }
 
 //! The straight line along a pole closes a loop, however wide; integrals and the inside agree on it.

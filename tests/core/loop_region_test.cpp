@@ -27,6 +27,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace laminate_offset;
@@ -243,6 +244,65 @@ TEST(LoopRegion, BandsMissNoCrossing)
     }
     EXPECT_GT(inside, 1000);
     EXPECT_LT(inside, 3999);
+}
+
+//! Rectangles, segments and points, also along the loops, against points of theirs: whatever holds a point inside is touched,
+//! and segments that are touched hold one.
+TEST(LoopRegion, RectanglesWithoutWidthAreTouchedToo)
+{
+    RandomCases random;
+    int held[4] = {}, free[4] = {};
+    for (int round = 0; round < 12; ++round)
+    {
+        const double size = random.magnitude(1e-3, 1e4);
+        Handle(Geom2d_Curve) hole = new Geom2d_Circle(gp_Circ2d(gp_Ax22d(), 0.5 * size));
+        if (round % 2 == 1)
+        {
+            hole = star(random, 2 + round % 4, round % 3 == 0);
+            hole->Scale(gp_Pnt2d(), 0.4 * size);
+        }
+        const InputFace input = read_face(square_with_hole(size, hole)).value();
+        const LoopRegion region(input);
+        // places on the square's sides, at the circle's ends and anywhere
+        const auto place = [&] {
+            const double places[] = {-size, size, -0.5 * size, 0.5 * size, 0.0};
+            const int kind = random.integer(0, 9);
+            return kind < 5 ? places[kind] : random.uniform(-1.5 * size, 1.5 * size);
+        };
+        for (int i = 0; i < 400; ++i)
+        {
+            const bool flat_u = i % 2 == 1;
+            const bool flat_v = i % 4 >= 2;
+            const auto [u0, u1] = std::minmax({place(), place()});
+            const auto [v0, v1] = std::minmax({place(), place()});
+            const ParameterBox box{u0, flat_u ? u0 : u1, v0, flat_v ? v0 : v1};
+            if ((!flat_u && u0 == u1) || (!flat_v && v0 == v1))
+                continue;
+            bool holds = false;
+            const int along_u = flat_u ? 2 : 30;
+            const int along_v = flat_v ? 2 : 30;
+            for (int a = 1; a < along_u && !holds; ++a)
+                for (int b = 1; b < along_v && !holds; ++b)
+                    holds = region.contains({box.umin + (box.umax - box.umin) * a / along_u,
+                                             box.vmin + (box.vmax - box.vmin) * b / along_v});
+            SCOPED_TRACE("round " + std::to_string(round) + " case " + std::to_string(i));
+            if (holds)
+            {
+                EXPECT_TRUE(region.touches(box));
+                EXPECT_TRUE(region.may_touch(box));
+            }
+            else if (flat_u && flat_v)
+                EXPECT_FALSE(region.touches(box));
+            const auto kind = static_cast<std::size_t>(i % 4);
+            held[kind] += holds ? 1 : 0;
+            free[kind] += region.touches(box) ? 0 : 1;
+        }
+    }
+    for (std::size_t kind = 0; kind < 4; ++kind)
+    {
+        EXPECT_GT(held[kind], 200) << kind;
+        EXPECT_GT(free[kind], kind == 0 ? 30 : 100) << kind;
+    }
 }
 
 TEST(LoopRegion, EvaluatedPlacesInsideAHoleAreOutside)

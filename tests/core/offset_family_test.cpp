@@ -6,6 +6,7 @@
 #include "support/sample_faces.h"
 
 #include <laminate_offset/input/input_face.h>
+#include <laminate_offset/stack/swept_form.h>
 #include <laminate_offset/surface/certificate.h>
 #include <laminate_offset/surface/offset_family.h>
 #include <laminate_offset/surface/offset_surface.h>
@@ -18,6 +19,7 @@
 #include <Geom_Ellipse.hxx>
 #include <Geom_OffsetCurve.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <gp.hxx>
 
@@ -464,4 +466,42 @@ TEST(OffsetFamily, CanBeCancelledAtEveryCall)
         EXPECT_EQ(made.failure().stage, Stage::Surface);
         EXPECT_EQ(calls, stop) << "the work went on after it was told to stop";
     }
+}
+
+//! What is reported as seen was seen: it lies below the proven bound, and denser samples find hardly more.
+TEST(OffsetFamily, OfASphereReportsWhatItSaw)
+{
+    const Interval interval{-2.0, 3.0};
+    int known = 0;
+    for (const double radius : {8.0, 300.0})
+        for (const Rectangle &part : {Rectangle{0.3, 2.0, -1.0, 0.8}, Rectangle{0.0, 2.0 * M_PI, -M_PI_2, M_PI_2}})
+            for (const bool left_handed : {false, true})
+            {
+                SCOPED_TRACE(testing::Message() << radius << " to " << part.v1 << (left_handed ? " mirrored" : ""));
+                gp_Ax3 frame(gp_Pnt(10, 20, 30), gp_Dir(1, 2, 3));
+                if (left_handed)
+                    frame.YReverse();
+                const Handle(Geom_SphericalSurface) sphere = new Geom_SphericalSurface(frame, radius);
+                const TopoDS_Face face = BRepBuilderAPI_MakeFace(sphere, part.u0, part.u1, part.v0, part.v1, 1e-7);
+                const Result<InputFace> input = read_face(face);
+                ASSERT_TRUE(input.ok());
+                InputFace turned = input.value(); // a surface of revolution, which has a model
+                turned.surface = swept_form(sphere);
+                const Result<SurfaceAnalysis> analysis = analyse(turned, interval.farther(), 1e-4);
+                ASSERT_TRUE(analysis.ok());
+                const Result<OffsetFamily> made =
+                    fit_offset_family(analysis.value(), input.value(), interval.low, interval.high, 1e-4, {});
+                ASSERT_TRUE(made.ok()) << made.failure().message;
+                const OffsetFamily &family = made.value();
+                ASSERT_TRUE(family.certified_error);
+                EXPECT_GT(family.sampled_error, 0.0);
+                EXPECT_LT(family.sampled_error, *family.certified_error);
+                double seen = 0.0;
+                for (const double distance : {interval.low, interval.high})
+                    seen = std::max(seen, deviation(sphere, to_geom(family.at(distance)), part, distance, 61).largest);
+                EXPECT_LE(seen, *family.certified_error);
+                EXPECT_LT(seen, 1.5 * family.sampled_error);
+                ++known;
+            }
+    EXPECT_EQ(known, 8);
 }

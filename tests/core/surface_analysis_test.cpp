@@ -200,6 +200,40 @@ TEST(FeasibleRange, IgnoresWhatTheLoopsCutAway)
 }
 
 //! Limits of a feasible distance are proven; of the true limit they may give away a quarter, as a rule much less.
+//! Where hardly any whole piece has a rough bound, the search has enough steps for all of them.
+TEST(FeasibleRange, OfANoisyPanelIsFound)
+{
+    RandomCases random;
+    for (const auto &[poles, noise] : {std::pair(40, 8.0), {60, 2.0}})
+    {
+        SCOPED_TRACE(poles);
+        const auto surface =
+            height_surface([&](double, double) { return random.uniform(-noise, noise); }, 100.0, 100.0, poles, poles);
+        const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7);
+        GeomLProp_SLProps properties(surface, 2, 1e-12);
+        double sharpest = 0.0;
+        double u0, u1, v0, v1;
+        surface->Bounds(u0, u1, v0, v1);
+        for (int i = 0; i <= 300; ++i)
+            for (int j = 0; j <= 300; ++j)
+            {
+                properties.SetParameters(u0 + (u1 - u0) * i / 300, v0 + (v1 - v0) * j / 300);
+                sharpest = std::max({sharpest, properties.MaxCurvature(), -properties.MinCurvature()});
+            }
+        const FeasibleRange range = range_of(face);
+        ASSERT_TRUE(range.negative && range.positive);
+        EXPECT_LE(std::min(*range.positive, -*range.negative), 1.0 / sharpest);
+        EXPECT_GE(std::min(*range.positive, -*range.negative), 0.8 / sharpest);
+        const InputFace input = read_face(face).value();
+        for (const double distance : {0.5 / sharpest, -0.5 / sharpest})
+        {
+            const auto analysis = analyse(input, distance, 0.1);
+            ASSERT_TRUE(analysis.ok());
+            EXPECT_TRUE(check_distance(analysis.value(), input, distance).ok());
+        }
+    }
+}
+
 TEST(FeasibleRange, OfAFeasibleDistanceIsProvenThoughNotSharp)
 {
     RandomCases random;
@@ -247,7 +281,7 @@ TEST(Creases, AKinkIsFoundWhereItIs)
         const gp_Pnt local = result.failure().where->point.Transformed(face.Location().Transformation().Inverted());
         EXPECT_NEAR(local.Y(), 0.0, 1e-9);
         EXPECT_NEAR(local.Z(), 0.0, 1e-9);
-        const auto creases = find_creases(base_beside_creases(input, {2.0, 1e-3}), LoopRegion(input), 2.0, 1e-3);
+        const auto creases = find_creases(input, base_beside_creases(input, {2.0, 1e-3}), LoopRegion(input), 2.0, 1e-3);
         ASSERT_EQ(creases.size(), 1u);
         EXPECT_FALSE(creases.front().constant_u);
         EXPECT_NEAR(creases.front().angle, degrees * M_PI / 180.0, 1e-7);

@@ -26,6 +26,7 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -225,6 +226,21 @@ TEST(TouchingLoops, ALoopThatTouchesItselfInAPoint)
             ++tried;
         }
     EXPECT_EQ(tried, 12);
+}
+
+//! A side shorter than what counts as one place does not make its neighbours touch: the loop crosses itself elsewhere.
+TEST(TouchingLoops, ATinySideIsNoTouch)
+{
+    for (const double tiny : {5e-7, 50.0})
+    {
+        FaceMaker maker(new Geom_Plane(gp_Pln()));
+        maker.add({{{0, 0}}, {{tiny, 0}}, {{1000, 600}}, {{1000, 0}}, {{0, 1000}}});
+        const auto result = offset(maker.face(), 1.0, tolerance);
+        ASSERT_FALSE(result.ok()) << tiny;
+        EXPECT_EQ(result.failure().status, Status::InvalidResult) << why(result);
+        EXPECT_FALSE(result.failure().where) << why(result);
+        EXPECT_EQ(result.failure().message.find("touch"), std::string::npos) << why(result);
+    }
 }
 
 TEST(TouchingLoops, TwoLoopsThatTouchInAPoint)

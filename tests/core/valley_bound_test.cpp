@@ -135,3 +135,33 @@ TEST(ValleyBound, AValleyIsProvenInFewParts)
         EXPECT_LE(parts_needed(h, 1e-11, 0), 200) << round;
     }
 }
+
+//! Valleys that reach below zero by twice their rounding: a lift of that rounding lets none pass.
+TEST(ValleyBound, RoundingPassesNothing)
+{
+    RandomCases random;
+    int tried = 0, with_lift = 0;
+    for (int round = 0; round < 2000; ++round)
+    {
+        // straight, from side to side: the line is the valley itself
+        const double start = random.uniform(0.05, 0.95);
+        const double end = random.uniform(0.05, 0.95);
+        const Bernstein q = polynomial(1, 1, {-start, 1.0 - start, -end, 1.0 - end});
+        Bernstein square, h;
+        assign_product(q, q, square);
+        assign_product(square, polynomial(1, 1, {1.0, random.uniform(0.8, 1.2), 1.0, random.uniform(0.8, 1.2)}), h);
+        const double scale = random.magnitude(1e-6, 1e6);
+        Bernstein lowered(h.degree_u(), h.degree_v());
+        lowered.add_raised(scale, h);
+        const double unit = valley_rounding(std::max(h.degree_u(), h.degree_v())) * lowered.range().size();
+        lowered.add_raised(1.0, polynomial(0, 0, {-2.0 * unit}));
+        const double curvature = curvature_of(lowered);
+        if (!(curvature > 0.0))
+            continue;
+        ++tried;
+        EXPECT_FALSE(valley_is_above(lowered, unit, true, curvature)) << round;
+        with_lift += valley_is_above(lowered, 8.0 * unit, true, curvature) ? 1 : 0;
+    }
+    EXPECT_GT(tried, 1000);
+    EXPECT_GT(with_lift, tried / 2);
+}

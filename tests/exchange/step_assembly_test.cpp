@@ -5,6 +5,7 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
@@ -14,6 +15,7 @@
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -195,6 +197,31 @@ TEST_F(StepAssembly, SettingsAreAsBeforeAfterwards)
     EXPECT_STREQ(Interface_Static::CVal("write.step.assembly"), "Off");
     EXPECT_STREQ(Interface_Static::CVal("write.step.schema"), "AP203");
     EXPECT_STREQ(Interface_Static::CVal("write.step.unit"), "INCH");
+    Interface_Static::SetCVal("write.step.schema", "AP214IS");
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    Interface_Static::SetCVal("write.step.assembly", "Auto");
+}
+
+TEST_F(StepAssembly, PartsMayHaveOneNameAndThatOfTheWhole)
+{
+    const NamedPart box{BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), "box", {0.0, 0.0, 0.0}};
+    write_step_assembly(path(), "box", {box, box}, StepSchema::Ap214);
+    EXPECT_EQ(read(path()).parts.size(), 2U);
+}
+
+TEST_F(StepAssembly, WhatWouldLoseItsColourIsRefusedAndTheFileIsAsBefore)
+{
+    TopoDS_Compound nothing;
+    BRep_Builder().MakeCompound(nothing);
+    const NamedPart box{BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), "box", {0.0, 0.0, 0.0}};
+    std::ofstream(path()) << "old";
+    for (const StepSchema schema : {StepSchema::Ap214, StepSchema::Ap242})
+        EXPECT_THAT(
+            [&] {
+                write_step_assembly(path(), "whole", {box, {nothing, "hollow", {}}}, schema);
+            },
+            testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("without faces")));
+    EXPECT_EQ(text(), "old");
 }
 
 TEST_F(StepAssembly, WhatCannotBeWrittenIsThrown)

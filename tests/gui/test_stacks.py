@@ -14,6 +14,11 @@ def test_layup_is_typed_and_stacked():
     run_scenario("layup_and_stack")
 
 
+def test_ends_of_plies_are_staggered():
+    refusals = ["not of the form", "no list of distances", "which has 2 plies", "use one of Patch"]
+    run_scenario("stagger", refusals=refusals)
+
+
 def test_limits_extension_and_deviation():
     run_scenario("other_commands", refusals=["tick at least one"])
 

@@ -14,7 +14,7 @@ from laminate_offset.features.extend_face import make_extend_face
 from laminate_offset.features.layup import import_layup, layup_of, make_layup, set_layup
 from laminate_offset.features.offset_face import make_offset_face
 from laminate_offset.features.offset_limits import make_offset_limits
-from laminate_offset.features.ply_stack import COLOURS, OUTPUTS, make_ply_stack, plies_of
+from laminate_offset.features.ply_stack import COLOURS, OUTPUTS, make_ply_stack, plies_of, result_of
 from laminate_offset.layup import Layup, Ply, layup_from_notation, read_layup
 from shapes import wavy_face
 
@@ -194,6 +194,86 @@ def test_boundaries_are_found_by_their_labels(doc, layup):
     stack.Boundaries = []
     doc.recompute()
     assert is_invalid(stack) and stack.OutOfDate and "'Patch'" in stack.Message
+
+
+def staggered_stack(doc, layup):
+    """Two plies on a circle of radius 20 on a plane, with what the second keeps inside of it still to be said."""
+    plane = doc.addObject("Part::Plane", "Plane")
+    plane.Length = plane.Width = 100
+    circle = doc.addObject("Part::Circle", "Circle")
+    circle.Label, circle.Radius = "Patch", 20
+    circle.Placement.Base = App.Vector(50, 50, 0)
+    doc.recompute()
+    set_layup(layup, Layup((Ply("P1", "A", 0.2, boundary="Patch"), Ply("P2", "A", 0.2, boundary="Patch"))))
+    doc.recompute()
+    return make_ply_stack(plane, "Face1", layup)
+
+
+def base_radii(stack):
+    """How large the circles are on which the plies stand, from their areas."""
+    return [(ply.base_face.Area / math.pi) ** 0.5 for ply in result_of(stack).plies]
+
+
+@pytest.mark.parametrize(
+    "entries,radii",
+    [
+        ([], (20, 20)),
+        (["0, 5"], (20, 15)),
+        (["Patch=1,5"], (19, 15)),
+        ([" Patch = 0 mm, 0.5 cm "], (20, 15)),
+        (["", "Patch=2,0"], (18, 20)),
+    ],
+)
+def test_successive_plies_keep_inside_of_their_boundary(doc, layup, entries, radii):
+    stack = staggered_stack(doc, layup)
+    stack.Stagger = entries
+    doc.recompute()
+    assert stack.Status == "ok", stack.Message
+    assert base_radii(stack) == pytest.approx(radii, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "entries,told",
+    [
+        (["0;5"], "Stagger: '0;5' is no list of distances in mm"),
+        (["Patch=0"], "stagger has 1 distances for boundary 'Patch', which has 2 plies"),
+        (["Edge=0,5"], "stagger names the boundary 'Edge', which no ply has; use one of Patch"),
+        (["Patch=0,-1"], "zero or more"),
+        (["Patch=0,1", "Patch=0,2"], "two lists"),
+        (["0,1", "Patch=0,2"], "not of the form"),
+        (["Patch=0,1 s"], "no list of distances"),
+        (["Patch=0,30"], "Patch"),
+    ],
+)
+def test_a_stagger_that_does_not_fit_is_told(doc, layup, entries, told):
+    stack = staggered_stack(doc, layup)
+    stack.Stagger = entries
+    doc.recompute()
+    assert is_invalid(stack) and stack.OutOfDate and told in stack.Message
+    stack.Stagger = []
+    doc.recompute()
+    assert stack.Status == "ok" and not stack.OutOfDate
+
+
+def test_a_stagger_is_saved_and_one_is_added_to_older_documents(doc, layup, tmp_path):
+    stack = staggered_stack(doc, layup)
+    stack.Stagger = ["Patch=0,5"]
+    doc.recompute()
+    older = make_ply_stack(doc.Plane, "Face1", layup, name="Older")
+    older.removeProperty("Stagger")
+    path = str(tmp_path / "staggered.FCStd")
+    doc.saveAs(path)
+    App.closeDocument(doc.Name)
+    reopened = App.openDocument(path)
+    try:
+        stack, older = reopened.PlyStack, reopened.Older
+        assert stack.Stagger == ["Patch=0,5"] and base_radii(stack) == pytest.approx((20, 15), abs=1e-3)
+        assert older.Stagger == [] and older.Status == "ok"
+        older.Stagger = ["0,2"]
+        reopened.recompute()
+        assert base_radii(older) == pytest.approx((20, 18), abs=1e-3)
+    finally:
+        App.closeDocument(reopened.Name)
 
 
 def test_ply_of_a_deleted_stack_says_so(doc, wavy, layup):

@@ -149,7 +149,11 @@ class CurveProjection:
             of the given curve from its image. None where a curve has no closed form.
         distance: the largest distance seen between the given curve and its image, in mm.
         edges: for each edge of the wire a dict with "first", "last" (the given edge's own parameter), "certified_error",
-            "sampled_error", "on_surface" and "distance".
+            "sampled_error", "on_surface", "distance", "certified_distance" and "bridged". The last one is True where the image
+            crosses a hollow crease, over which the nearest point jumps: there it is farther from the given curve than the
+            nearest point by up to the tolerance, or up to a tenth, as samples show.
+        certified_distance: proven bound in mm of the distance between the given curve and its image: no point of a
+            boundary near the face lies farther from what became of it. None where a curve has no closed form.
     """
 
     wire: "Union[Part.Wire, Part.Compound]"
@@ -157,6 +161,7 @@ class CurveProjection:
     certified_error: Optional[float]
     distance: float
     edges: List[Dict[str, Any]]
+    certified_distance: Optional[float]
 
 
 def project_curve(
@@ -168,7 +173,8 @@ def project_curve(
     """Put an edge or a wire onto the surface of a face, along the surface's normal.
 
     A curve that lies on the surface keeps its shape and gets its parametric image; any other one is dropped onto the
-    nearest points. A curve that crosses a seam is split there. The face's edges do not cut the image.
+    nearest points, and certified_distance says how far it keeps from them. A curve that crosses a seam is split there.
+    The face's edges do not cut the image.
 
     Args:
         face: a Part.Face; its placement counts, its orientation does not.
@@ -178,19 +184,19 @@ def project_curve(
             face's parameter range; "extend" uses the surface beyond that range as far as it reaches and leaves out the rest.
 
     Returns:
-        CurveProjection with .wire, .pcurves and .certified_error.
+        CurveProjection with .wire, .pcurves, .certified_error and .certified_distance.
 
     Raises:
         OffsetError: the face or the curve was refused; it says why.
         ValueError: an argument is out of its range or has the wrong unit.
         TypeError: an argument is not a Part shape.
     """
-    wire, edges, certified_error, distance = _core.project_curve(
+    wire, edges, certified_error, distance, certified_distance = _core.project_curve(
         face, edge_or_wire, millimetres(tolerance, "tolerance"), outside
     )
     on_face = [edge.curveOnSurface(0) for edge in wire.Edges]  # (curve, surface, placement, first, last)
     pcurves = [(curve, first, last) for curve, _, _, first, last in on_face]
-    return CurveProjection(wire, pcurves, certified_error, distance, edges)
+    return CurveProjection(wire, pcurves, certified_error, distance, edges, certified_distance)
 
 
 def offset_limits(face: "Part.Face") -> OffsetLimits:

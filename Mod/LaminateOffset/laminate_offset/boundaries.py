@@ -90,6 +90,7 @@ def insets(plies: Sequence[PhysicalPly], stagger: Optional[Stagger]) -> List[flo
         if name not in names:
             remedy = f"use one of {', '.join(names)}" if names else "name it in the layup"
             raise ValueError(f"stagger names the boundary {name!r}, which no ply has; {remedy}.")
+    _check_counts(plies, tables, isinstance(stagger, Mapping))
     result = []
     used: Dict[str, int] = {}
     for ply in plies:
@@ -99,13 +100,21 @@ def insets(plies: Sequence[PhysicalPly], stagger: Optional[Stagger]) -> List[flo
             continue
         place = used.get(name, 0)
         used[name] = place + 1
-        if place >= len(tables[name]):
-            count = sum(1 for other in plies if other.ply.boundary == name)
-            raise ValueError(
-                f"stagger has {len(tables[name])} distances for boundary {name!r}, which has {count} plies."
-            )
         result.append(tables[name][place])
     return result
+
+
+def _check_counts(plies: Sequence[PhysicalPly], tables: Mapping[str, List[float]], own: bool) -> None:
+    """Raises ValueError where a boundary's table has fewer distances than the boundary has plies, or more: a table of all
+    boundaries, more than any of them has."""
+    counts = {name: sum(1 for ply in plies if ply.ply.boundary == name) for name in tables}
+    for name, distances in tables.items():
+        most = counts[name] if own else max(counts.values())
+        if not counts[name] <= len(distances) <= most:
+            raise ValueError(
+                f"stagger has {len(distances)} distances for boundary {name!r}, which has {counts[name]} plies; give one "
+                "for each, with a point for decimals."
+            )
 
 
 def drop_off_of(drop_off: Length) -> Tuple[float, Optional[float]]:

@@ -53,10 +53,10 @@ def build_parser() -> argparse.ArgumentParser:
 
 
 def _glue_negative_numbers(argv: List[str]) -> List[str]:
-    """Writes "--distance -5e-1" as "--distance=-5e-1": argparse takes a number with an exponent for an option."""
+    """Writes "--distance -5e-1" as "--distance=-5e-1": argparse takes a number with an exponent, or several, for an option."""
     glued: List[str] = []
     for text in argv:
-        if glued and glued[-1] == "--distance" and text.startswith("-"):
+        if glued and glued[-1] in ("--distance", "--rosette") and text[:1] == "-" and text[1:2] != "-":
             glued[-1] += "=" + text
         else:
             glued.append(text)

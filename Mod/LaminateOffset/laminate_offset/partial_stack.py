@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Stacks in which plies cover parts of the face."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
@@ -27,6 +28,8 @@ LOST_PART = 0.25
 INSIDE = 1e-6
 # Places of a ply among which one inside of it is looked for, in each direction.
 GRID = 31
+# That a warning names; of more the first ones and the last one.
+MOST_NAMES = 8
 
 
 @dataclass(frozen=True)
@@ -189,19 +192,48 @@ def lay_partial_plies(
     report["boundary_gaps"] = {name: gap for name, gap in zip(names, gaps) if gap is not None}
     report["inset_error"] = inset_error
     report["seam_moved"] = moved is not None
-    if steep is not None:
-        steep["plies"] = [plies[index].name for index in steep["plies"]]
-        report["warnings"].append(_steep_ramps_text(steep))
+    for place in steep:
+        ending = [plies[index] for index in place["plies"]]
+        place["plies"] = [ply.name for ply in ending]
+        place["boundaries"] = list(dict.fromkeys(ply.ply.boundary for ply in ending))
+        report["warnings"].append(_steep_ramps_text(place))
     report["steep_ramps"] = steep
     return PartialPlyStack(layup, stacked, report, whole)
 
 
 def _steep_ramps_text(steep: Dict[str, Any]) -> str:
-    *names, last = steep["plies"]
-    place = ", ".join(f"{steep['where'][axis]:.6g}" for axis in "xyz")
-    step = f"{steep['longest']:.3g}"
+    place = ", ".join(plain(steep["where"][axis], 6) for axis in "xyz")
+    step = plain_up(steep["longest"])
+    boundaries = [f"'{name}'" for name in steep["boundaries"]]
+    if len(boundaries) == 1:
+        what = "end along one line or nearly so"
+        remedy = f"Let their edges lie {step} mm apart with a stagger (0, {step}, ...) of the boundary {boundaries[0]}"
+    else:
+        what = "end near each other"
+        own = ", and so the plies of each" if len(steep["plies"]) > len(boundaries) else ""
+        remedy = f"Keep the boundaries {_listed(boundaries)} {step} mm apart{own}"
     return (
-        f"Plies {', '.join(names)} and {last} end along one line or nearly so: near ({place}) mm the plies above come down by "
-        f"1:{1.0 / steep['slope']:.3g}, {steep['slope'] / steep['alone']:.2g} times as steeply as beside one of them. Let their "
-        f"edges lie {step} mm apart with a stagger (0, {step}, ...), or make drop_off larger."
+        f"Plies {_listed(steep['plies'])} {what}: near ({place}) mm the plies above come down by 1:{plain(1.0 / steep['slope'])}, "
+        f"{plain(steep['slope'] / steep['alone'])} times as steeply as beside one of them. {remedy}."
     )
+
+
+def _listed(names: Sequence[str]) -> str:
+    if len(names) > MOST_NAMES:
+        return f"{', '.join(names[: MOST_NAMES - 2])}, ... and {names[-1]} ({len(names)} in all)"
+    *others, last = names
+    return f"{', '.join(others)} and {last}"
+
+
+def plain(value: float, digits: int = 3) -> str:
+    """A number with so many digits that count, or fewer, down to millionths and never with an exponent."""
+    first = math.floor(math.log10(max(abs(value), 1e-6)))
+    text = f"{value:.{min(6, max(0, digits - 1 - first))}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return "0" if text == "-0" else text
+
+
+def plain_up(length: float) -> str:
+    """A length in mm rounded up to two digits."""
+    unit = 10.0 ** (math.floor(math.log10(length)) - 1)
+    return plain(math.ceil(length / unit - 1e-6) * unit, 2 if length < 1e2 else 6)

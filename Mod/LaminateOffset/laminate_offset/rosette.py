@@ -56,6 +56,15 @@ def check_one_rosette(plies: Iterable[PhysicalPly], remedy: str) -> None:
         )
 
 
+def check_none_named(plies: Iterable[PhysicalPly], given: str) -> None:
+    """Raises ValueError where rows name a rosette although none is given; `given` is how to give one."""
+    named = next((ply.ply.rosette for ply in plies if ply.ply.rosette), None)
+    if named is not None:
+        raise ValueError(
+            f"Rows of the layup name the rosette '{named}', which is not known; make a rosette of that name and give it {given}."
+        )
+
+
 def rosette_of(axes: Any, name: str, plies: Iterable[PhysicalPly]) -> Rosette:
     """The rosette of a row that names it: of a mapping the one with that name, otherwise the only one of all plies."""
     if isinstance(axes, Rosette):

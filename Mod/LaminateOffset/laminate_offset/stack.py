@@ -13,10 +13,9 @@ import numpy
 import Part
 
 from . import _core
-from .api import Length, Progress, millimetres, nearest_point
+from .api import Length, Progress, millimetres
 from .boundaries import Boundaries, Stagger, check_names, drop_off_of, gap_of, insets, named_boundaries
 from .core_sample import CoreSample, core_samples, covered, line_points, stack_thickness
-from .errors import OffsetError
 from .layup import Layup, LayupError, PhysicalPly
 from .layup.errors import Problem
 from .mass_properties import MassProperties, PlyProperties, measure
@@ -25,8 +24,6 @@ from .rosette import Rosettes, fibre_directions, rosette_of
 
 SURFACES = ("bottom", "middle", "top")
 RAMP_SLOPES = ("mean", "steepest")
-# Of the smaller of two solids: what touching ones share by rounding.
-OVERLAP_SHARE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -57,7 +54,7 @@ class StackPly:
     _stack: "Optional[PlyStack]" = field(default=None, repr=False, compare=False)
 
     @property
-    def solid(self) -> "Part.Solid":
+    def solid(self) -> "Part.Shape":
         """The ply as a valid, closed solid; on a face with creases a Part.Compound with a solid for each part. Neighbours'
         solids share the face between them only where no ply of the stack has a boundary. Made when first asked for, those
         of all plies at once. Raises OffsetError where a side has no surface, and where parts of a creased face's plies cross
@@ -115,12 +112,13 @@ class MaterialSolid:
     Attributes:
         material: its name.
         plies: the StackPlys, from the tool outwards.
-        solid: a Part.Solid, from the first ply's bottom to the last ply's top.
+        solid: a Part.Solid, from the first ply's bottom to the last ply's top; on a face with creases a Part.Compound with
+            one for each part.
     """
 
     material: str
     plies: Tuple[StackPly, ...]
-    solid: "Part.Solid"
+    solid: "Part.Shape"
 
 
 class PlyStack:
@@ -133,8 +131,9 @@ class PlyStack:
             edge_error (None where one is not proven), one_fit (all surfaces are members of one family, with the same
             knots and trimming curves), partial_plies (those with a boundary), warnings (texts about what is right but
             hardly wanted) and elapsed_ms; with boundaries also boundary_gaps (the largest distance seen of each from the
-            face, by name), inset_error, seam_moved and steep_ramps: None, or where ramps that lie over each other are
-            steeper than one of them alone: slope, alone, where, plies (names) and the longest ramp in mm.
+            face, by name), inset_error, seam_moved and steep_ramps: where ramps that lie over each other are steeper than
+            one of them alone, the worst place for every boundary or set of boundaries, as a list of dicts: slope, alone,
+            where, plies and boundaries (names) and the longest ramp in mm.
         base_face: the lay-up face, to whose parameters all that takes parameters refers. Where boundaries cross the seam of
             a closed face, it is the same face with its seam elsewhere, and seam_moved in the report is true.
     """
@@ -167,7 +166,7 @@ class PlyStack:
         """A compound of the plies' faces, or of their solids, from the tool outwards."""
         return Part.Compound(self.ply_solids() if solids else [ply.face for ply in self.plies])
 
-    def ply_solids(self) -> "Tuple[Part.Solid, ...]":
+    def ply_solids(self) -> "Tuple[Part.Shape, ...]":
         """The plies as valid, closed solids, from the tool outwards. In a stack without boundaries neighbours share the
         face between them, so there is no gap; in one with boundaries every solid has faces of its own, and pockets of
         resin are open beside the ends of plies. On a face with creases a ply is a Part.Compound of as many solids as the
@@ -181,7 +180,7 @@ class PlyStack:
         solids = self._solids([(run[0], run[-1]) for run in runs])
         return tuple(MaterialSolid(run[0].ply.ply.material, run, solid) for run, solid in zip(runs, solids))
 
-    def laminate_solid(self) -> "Part.Solid":
+    def laminate_solid(self) -> "Part.Shape":
         """The whole laminate as one solid, from the first ply's bottom to the last ply's top. Raises as ply_solids
         does."""
         return self._solids([(self.plies[0], self.plies[-1])])[0]
@@ -239,14 +238,14 @@ class PlyStack:
         return core_samples(self, line_points(start, end, count))
 
     @cached_property
-    def _ply_solids(self) -> "Tuple[Part.Solid, ...]":
+    def _ply_solids(self) -> "Tuple[Part.Shape, ...]":
         return self._solids([(ply, ply) for ply in self.plies])
 
     @cached_property
     def _mass_properties(self) -> MassProperties:
         return measure(self.layup, self.base_face, [ply.ply for ply in self.plies])
 
-    def _solids(self, runs: Sequence[Tuple[StackPly, StackPly]]) -> "Tuple[Part.Solid, ...]":
+    def _solids(self, runs: Sequence[Tuple[StackPly, StackPly]]) -> "Tuple[Part.Shape, ...]":
         """The solids from the first ply's bottom to the last ply's top of every run, all made at once."""
         faces: Dict[float, Any] = {}
         for ply in self.plies:
@@ -259,8 +258,6 @@ class PlyStack:
             return tuple(_core.ply_solids(list(faces.values()), spans))
         tolerance = self.report["tolerance"]
         parts = _core.creased_ply_solids(self.base_face, list(faces), spans, tolerance, self._max_degree)
-        for solids in parts:
-            _refuse_overlaps(solids, self.base_face)
         return tuple(Part.Compound(solids) for solids in parts)
 
     def export(self, path: str, solids: bool = False, schema: str = "AP214") -> None:
@@ -419,25 +416,6 @@ def _whole_plies(
     return PlyStack(layup, stacked, report, face, max_degree)
 
 
-def _refuse_overlaps(solids: Sequence[Any], face: Any) -> None:
-    """Parts of a creased face may come upon each other far from any crease."""
-    for i, one in enumerate(solids):
-        for other in solids[i + 1 :]:
-            if not one.BoundBox.intersect(other.BoundBox):
-                continue
-            shared = one.common(other)
-            if shared.Volume > OVERLAP_SHARE * min(one.Volume, other.Volume):
-                place = shared.Solids[0].CenterOfMass
-                u, v = nearest_point(face, [tuple(place)]).uv[0]
-                raise OffsetError(
-                    "self-intersection",
-                    "topology",
-                    f"Two parts of the creased face come so near each other that their plies share {shared.Volume:.3g} mm³, "
-                    "so they have no solids; stack fewer plies, or on the face's other side.",
-                    {"u": float(u), "v": float(v), "x": place.x, "y": place.y, "z": place.z},
-                )
-
-
 def _crease_warning(reports: Sequence[OffsetReport]) -> List[str]:
     """What to know about the stack of a face with creases."""
     torn = [report for report in reports if report.crease]
@@ -448,10 +426,12 @@ def _crease_warning(reports: Sequence[OffsetReport]) -> List[str]:
     start = f"The face has creases that part the plies into {max(report.faces for report in torn)} parts"
     if all(report.crease == "gap" for report in torn):
         return [f"{start}, which stand apart there{width}; a ply's solids are one for each part."]
-    return [
-        f"{start}, which cross each other there{width}, so that they have no solids; stack on the face's other side, or round "
-        "the creases."
-    ]
+    remedy = "round the creases"
+    if not any(report.crease == "both" for report in torn):  # what crosses on one side opens on the other
+        both_sides = any(report.crease == "gap" for report in torn)
+        other = "all plies on the side that opens" if both_sides else "on the face's other side"
+        remedy = f"stack {other}, or {remedy}"
+    return [f"{start}, which cross each other there{width}, so that they have no solids; {remedy}."]
 
 
 def _read(layup: Union[Layup, str]) -> Layup:

@@ -25,8 +25,7 @@ namespace
 
 // Directions are normalised and points transformed in a few operations each; what differs by more is another shape.
 constexpr double same = 64.0 * std::numeric_limits<double>::epsilon();
-// A circle's centre so near to its axis [mm], and in proportion to its radius, is meant to lie on it: files have rounded it.
-constexpr double meant_on_axis = 1e-7;
+// A circle's centre is meant to lie on its axis if it is as near in proportion to the radius, too.
 constexpr double meant_on_axis_share = 1e-6;
 // A revolved line that rises less than this is a disc, whose parameters no plane has.
 constexpr double least_rise = 1e-6;

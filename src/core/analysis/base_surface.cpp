@@ -116,7 +116,7 @@ bool is_pole(const Handle(Geom_Surface) & surface, double v)
     const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface);
     if (revolution.IsNull() || revolution->BasisCurve()->DynamicType() != STANDARD_TYPE(Geom_Circle))
         return false;
-    return gp_Lin(revolution->Axis()).Distance(revolution->BasisCurve()->Value(v)) <= Precision::Confusion();
+    return gp_Lin(revolution->Axis()).Distance(revolution->BasisCurve()->Value(v)) <= meant_on_axis;
 }
 
 //! One side of the box with its margin, inside [first, last] unless the surface goes round.

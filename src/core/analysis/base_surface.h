@@ -19,6 +19,9 @@ struct SmoothnessBreak
     int continuity = 0;
 };
 
+//! A point so near to an axis of revolution [mm] is meant to lie on it: files have rounded it.
+inline constexpr double meant_on_axis = 1e-7;
+
 //! How far the spline that stands for the base may be from the base itself: proven bounds at equal
 //! parameters, rounding included. All zero where the spline is the base.
 struct ModelError

@@ -10,11 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace laminate_offset
 {
 namespace
 {
+
+// Of the few operations behind a limit.
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 //! Writes limits down by their side: inwards is against the normal that a right-handed frame gives.
 class LimitWriter
@@ -26,15 +30,17 @@ public:
     {
     }
 
-    void inwards(double length, double u, double v) { write(-m_sign, length, u, v); }
-    void outwards(double length, double u, double v) { write(m_sign, length, u, v); }
+    void inwards(double length, double u, double v) { write(-m_sign, length, length, u, v); }
+    //! Feasible up to a length, folded from a larger one on.
+    void inwards(double length, double folds, double u, double v) { write(-m_sign, length, folds, u, v); }
+    void outwards(double length, double u, double v) { write(m_sign, length, length, u, v); }
     [[nodiscard]] const ClosedLimits &limits() const { return m_limits; }
 
 private:
-    void write(double sign, double length, double u, double v)
+    void write(double sign, double length, double folds, double u, double v)
     {
         const gp_Pnt2d uv(u - m_shift.X(), v - m_shift.Y());
-        (sign < 0.0 ? m_limits.negative : m_limits.positive) = CurvatureLimit{sign * length, sign * length, uv};
+        (sign < 0.0 ? m_limits.negative : m_limits.positive) = CurvatureLimit{sign * length, sign * folds, uv};
     }
 
     gp_Vec2d m_shift;
@@ -46,6 +52,30 @@ ClosedLimits limits_of_round(const AnalyticForm &form, const gp_Ax3 &position, d
 {
     LimitWriter writer(form, position);
     writer.inwards(radius, form.box.umin, form.box.vmin);
+    return writer.limits();
+}
+
+//! Of a circle of radius R turned about an axis that misses its centre by m: with r = R cos v + e and rho^2 = r^2 + p^2 for
+//! |(e, p)| = m, the surface's curvatures are at most 1 / (R - m / cos v) across the circle and (1 + p^2 / r^2) / R along it,
+//! which is less where sqrt(m R) <= R cos v and m <= 1e-6 R. Both are above zero there. Along the circle it is at least
+//! (1 - 3 q) / R with q = m^2 / (R cos v - m)^2.
+ClosedLimits limits_of_sphere(const AnalyticForm &form, const Geom_SphericalSurface &sphere)
+{
+    const double beside = form.error.point;
+    if (beside == 0.0)
+        return limits_of_round(form, sphere.Position(), sphere.Radius());
+    const double radius = sphere.Radius();
+    const ParameterBox &box = form.box;
+    const double v = std::abs(box.vmin) > std::abs(box.vmax) ? box.vmin : box.vmax; // nearer to a pole
+    const double least_cosine = std::max(std::cos(v), std::sqrt(beside / radius));
+    const double at_widest =
+        box.vmin <= 0.0 && box.vmax >= 0.0 ? 0.0 : std::min(std::abs(box.vmin), std::abs(box.vmax));
+    const double room = radius * std::cos(at_widest) - beside;
+    const double q = room > 0.0 ? beside * beside / (room * room) : 1.0;
+    const double folds =
+        q < 0.1 ? radius * (1.0 + rounding) / (1.0 - 3.0 * q) : std::numeric_limits<double>::infinity();
+    LimitWriter writer(form, sphere.Position());
+    writer.inwards(radius * (1.0 - rounding) - beside / least_cosine, folds, box.umin, v);
     return writer.limits();
 }
 
@@ -91,7 +121,7 @@ std::optional<ClosedLimits> closed_limits(const InputFace &input)
     if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(form->surface))
         return limits_of_round(*form, cylinder->Position(), cylinder->Radius());
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(form->surface))
-        return limits_of_round(*form, sphere->Position(), sphere->Radius());
+        return limits_of_sphere(*form, *sphere);
     if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form->surface))
         return limits_of_cone(*form, *cone, input.diagonal);
     if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(form->surface))

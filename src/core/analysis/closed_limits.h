@@ -18,6 +18,9 @@ struct ClosedLimits
 };
 
 //! The limits inside the box of the loops, of every surface that has an analytic form; nothing for any other.
+//! A sphere that is one but for a rounding (AnalyticForm::error) has limits that hold for the surface as it stands, on all of it
+//! that keeps sqrt(m R) away from the axis, where the axis misses the circle's centre by m and R is the radius: they are
+//! m / cos v short of R. Nearer to the axis than that (0.003 mm for R = 100 mm and m = 1e-7 mm) the surface counts as the sphere.
 //! A cone across its apex, and the part of a torus beyond its axis, are folded themselves: both limits are 0.
 std::optional<ClosedLimits> closed_limits(const InputFace &input);
 

@@ -161,7 +161,7 @@ Result<std::vector<InputFace>> split_at_creases(const InputFace &input, double d
 {
     const double farther = farther_distance(input, distance);
     const BaseSurface base = base_beside_creases(input, {farther, tolerance});
-    const std::vector<CreaseLine> creases = find_creases(base, LoopRegion(input), farther, tolerance);
+    const std::vector<CreaseLine> creases = find_creases(input, base, LoopRegion(input), farther, tolerance);
     if (creases.empty())
         return std::vector<InputFace>{input};
     try

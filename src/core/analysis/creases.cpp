@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "creases.h"
 
+#include <Eigen/Geometry>
+#include <Geom_ElementarySurface.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +13,28 @@ namespace laminate_offset
 namespace
 {
 
-// A crease is judged from normals this far to both sides of the knot line (part of the box).
+// A crease is judged from normals this far to both sides of the line, and twice as far (part of the box).
 constexpr double crease_step = 1e-8;
 // So far to both sides it has to be inside the loops: an edge along the knot line misses it by less.
 constexpr double inside_step = 1e-6;
 constexpr int probes_per_interval = 33;
 // A loop that ends beside a knot line ends on it when it is as near as this part of the box.
 constexpr double same_line = 1e-7;
+
+using Normal = std::optional<Eigen::Vector3d>;
+
+//! The normal at a line, from those one step and two steps beside it: between them it turns, however smooth the surface is.
+Normal at_line(const Normal &beside, const Normal &farther)
+{
+    if (!beside || !farther)
+        return std::nullopt;
+    return Eigen::Vector3d(2.0 * *beside - *farther).normalized();
+}
+
+double angle_between(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+{
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 //! Parameters along the line, all over each of its intervals inside the loops.
 std::vector<double> probes_inside(const LoopRegion &region, bool constant_u, double parameter)
@@ -42,23 +59,107 @@ CreaseLine sharpest(const BaseSurface &base, const LoopRegion &region, bool cons
     const std::vector<double> along = probes_inside(region, constant_u, parameter);
     if (along.empty())
         return worst;
-    const std::vector<double> across{parameter - crease_step * width, parameter + crease_step * width};
+    const double step = crease_step * width;
+    const std::vector<double> across{parameter - 2.0 * step, parameter - step, parameter + step,
+                                     parameter + 2.0 * step};
     const std::vector<SurfaceJet> jets = constant_u ? base.jets(across, along, 1) : base.jets(along, across, 1);
     for (std::size_t i = 0; i < along.size(); ++i)
     {
-        const SurfaceJet &a = constant_u ? jets[i] : jets[2 * i];
-        const SurfaceJet &b = constant_u ? jets[along.size() + i] : jets[2 * i + 1];
         const gp_Pnt2d uv = place(along[i], 0.0);
-        const auto before = base.unit_normal(a, uv.X(), uv.Y());
-        const auto after = base.unit_normal(b, uv.X(), uv.Y());
+        const auto normal = [&](std::size_t k) {
+            const SurfaceJet &jet = constant_u ? jets[k * along.size() + i] : jets[across.size() * i + k];
+            return base.unit_normal(jet, uv.X(), uv.Y());
+        };
+        const Normal before = at_line(normal(1), normal(0));
+        const Normal after = at_line(normal(2), normal(3));
         if (!before || !after)
             continue;
-        const double angle = std::atan2(before->cross(*after).norm(), before->dot(*after));
+        const double angle = angle_between(*before, *after);
         if (angle > worst.angle && region.contains(place(along[i], -inside_step)) &&
             region.contains(place(along[i], inside_step)))
         {
             worst.angle = angle;
             worst.uv = uv;
+        }
+    }
+    return worst;
+}
+
+//! One seam edge, on both sides of a closed base.
+struct Seam
+{
+    const TrimmingCurve *one = nullptr;
+    const TrimmingCurve *other = nullptr;
+};
+
+std::vector<Seam> seams_of(const InputFace &input)
+{
+    std::vector<Seam> seams;
+    if (input.surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
+        return seams;
+    for (const TrimmingLoop &loop : input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+        {
+            if (!curve.seam || curve.degenerated)
+                continue;
+            const auto known = std::find_if(seams.begin(), seams.end(), [&](const Seam &seam) {
+                return !seam.other && seam.one->edge.IsSame(curve.edge);
+            });
+            if (known == seams.end())
+                seams.push_back({&curve, nullptr});
+            else
+                known->other = &curve;
+        }
+    seams.erase(std::remove_if(seams.begin(), seams.end(), [](const Seam &seam) { return !seam.other; }), seams.end());
+    return seams;
+}
+
+//! Where to cut a tube opposite its seam: at a knot line, if there is one near the middle.
+double opposite(const std::vector<double> &knots, double low, double high)
+{
+    constexpr double near = 0.25; // of the way round
+    const double middle = 0.5 * (low + high);
+    double best = middle;
+    double least = near * (high - low);
+    for (const double knot : knots)
+        if (std::abs(knot - middle) < least)
+        {
+            least = std::abs(knot - middle);
+            best = knot;
+        }
+    return best;
+}
+
+//! The largest jump of the normal across a seam.
+CreaseLine sharpest(const BaseSurface &base, const Seam &seam)
+{
+    CreaseLine worst;
+    const double middle = 0.5 * (seam.one->first + seam.one->last);
+    const gp_Pnt2d a = seam.one->pcurve->Value(middle);
+    const gp_Pnt2d b = seam.other->pcurve->Value(middle);
+    worst.constant_u = std::abs(a.X() - b.X()) > std::abs(a.Y() - b.Y());
+    const int across = worst.constant_u ? 1 : 2;
+    const double low = std::min(a.Coord(across), b.Coord(across));
+    const double high = std::max(a.Coord(across), b.Coord(across));
+    worst.parameter = opposite(worst.constant_u ? base.interval_ends_u() : base.interval_ends_v(), low, high);
+    const auto normal = [&](const TrimmingCurve &side, double t, double steps) {
+        gp_Pnt2d uv = side.pcurve->Value(t);
+        const double inwards = uv.Coord(across) > worst.parameter ? -crease_step : crease_step;
+        uv.SetCoord(across, uv.Coord(across) + steps * inwards * (high - low));
+        return base.unit_normal(base.jets({uv.X()}, {uv.Y()}, 1).front(), uv.X(), uv.Y());
+    };
+    for (int k = 0; k < probes_per_interval; ++k)
+    {
+        const double t = seam.one->first + (seam.one->last - seam.one->first) * (k + 0.5) / probes_per_interval;
+        const Normal before = at_line(normal(*seam.one, t, 1.0), normal(*seam.one, t, 2.0));
+        const Normal after = at_line(normal(*seam.other, t, 1.0), normal(*seam.other, t, 2.0));
+        if (!before || !after)
+            continue;
+        const double angle = angle_between(*before, *after);
+        if (angle > worst.angle)
+        {
+            worst.angle = angle;
+            worst.uv = seam.one->pcurve->Value(t);
         }
     }
     return worst;
@@ -78,23 +179,30 @@ void cut_margin(double &low, double &high, double first, double last, const std:
 
 } // namespace
 
-std::vector<CreaseLine> find_creases(const BaseSurface &base, const LoopRegion &region, double distance,
-                                     double tolerance)
+std::vector<CreaseLine> find_creases(const InputFace &input, const BaseSurface &base, const LoopRegion &region,
+                                     double distance, double tolerance)
 {
     std::vector<CreaseLine> creases;
+    const auto add_torn = [&](CreaseLine line) {
+        line.tear = 2.0 * std::abs(distance) * std::sin(0.5 * line.angle);
+        if (line.tear > 0.5 * tolerance)
+            creases.push_back(line);
+    };
     const auto look = [&](const std::vector<SmoothnessBreak> &breaks, bool constant_u) {
         for (const SmoothnessBreak &b : breaks)
-        {
-            if (b.continuity > 0)
-                continue;
-            CreaseLine line = sharpest(base, region, constant_u, b.parameter);
-            line.tear = 2.0 * std::abs(distance) * std::sin(0.5 * line.angle);
-            if (line.tear > 0.5 * tolerance)
-                creases.push_back(line);
-        }
+            if (b.continuity <= 0)
+                add_torn(sharpest(base, region, constant_u, b.parameter));
     };
     look(base.breaks_u(), true);
     look(base.breaks_v(), false);
+    for (const Seam &seam : seams_of(input))
+    {
+        const CreaseLine line = sharpest(base, seam);
+        // a tube that is cut anywhere along it is open at its seam, too
+        if (std::none_of(creases.begin(), creases.end(),
+                         [&](const CreaseLine &known) { return known.constant_u == line.constant_u; }))
+            add_torn(line);
+    }
     return creases;
 }
 

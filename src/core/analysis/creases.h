@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //! \file
-//! Creases: isoparametric lines of the base along which its unit normal jumps, so that its offset is torn.
+//! Creases: isoparametric lines of the base along which its unit normal jumps, so that its offset is torn. The seam of a
+//! closed base may be one too, as at the trailing edge of a wing's skin.
 #pragma once
 
 #include "base_surface.h"
@@ -18,17 +19,18 @@ namespace laminate_offset
 struct CreaseLine
 {
     bool constant_u = false;
-    double parameter = 0.0;
-    double angle = 0.0; //!< largest angle between the normals of its two sides, inside the loops [rad]
-    double tear = 0.0;  //!< largest distance between the offsets of its two sides, 2 |d| sin(angle / 2) [mm]
-    gp_Pnt2d uv;        //!< where that is
+    double parameter = 0.0; //!< of a seam: where a cut on the other side of the tube opens it
+    double angle = 0.0;     //!< largest angle between the normals of its two sides, inside the loops [rad]
+    double tear = 0.0;      //!< largest distance between the offsets of its two sides, 2 |d| sin(angle / 2) [mm]
+    gp_Pnt2d uv;            //!< where that is
 };
 
-//! The formally C0 knot lines whose normals tear the offset by more than half of the tolerance somewhere inside
-//! the loops. Where only the parametrisation kinks, or nothing does, there is no crease.
+//! The formally C0 knot lines and the seams whose normals tear the offset by more than half of the tolerance somewhere
+//! inside the loops. Where only the parametrisation kinks, or nothing does, there is no crease.
+//! \param base that of the input, perhaps its model.
 //! \param distance signed along S_u x S_v [mm].
-std::vector<CreaseLine> find_creases(const BaseSurface &base, const LoopRegion &region, double distance,
-                                     double tolerance);
+std::vector<CreaseLine> find_creases(const InputFace &input, const BaseSurface &base, const LoopRegion &region,
+                                     double distance, double tolerance);
 
 //! The larger one of the distance and of that at which the face itself stands from its surface: neither the offset
 //! nor the face may be torn. \param distance signed along S_u x S_v [mm].

@@ -6,12 +6,15 @@
 
 #include "../spline/knot_choice.h"
 
+#include <Eigen/Geometry>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <queue>
 #include <vector>
 
 namespace laminate_offset
@@ -23,7 +26,8 @@ namespace
 constexpr int deepest_singular_piece = 10;
 // Part of the extent below which a piece's second derivatives are rounding: eps / this^2 is still small.
 constexpr double smallest_piece = 1e-5;
-constexpr int most_steps = 4000;
+constexpr int most_steps = 4000; // and so many more for every whole piece:
+constexpr int steps_per_piece = 8;
 // Looks at pieces once a distance is decided: these, and more up to the others as long as the limit is wider than this.
 constexpr int steps_after_decision = 16;
 constexpr int most_steps_after_decision = 50;
@@ -107,7 +111,25 @@ public:
         return *node.fine;
     }
 
-    //! The halves of a node whose fine bound was asked for; nothing where there is nothing to be learned from them.
+    //! Finds the fine bounds of many nodes at once.
+    void look_closely(const std::vector<int> &indices)
+    {
+        for (const int index : indices)
+            if (Node &node = m_nodes[static_cast<std::size_t>(index)]; !node.fine)
+                cut_piece(node);
+        tbb::enumerable_thread_specific<CurvaturePieceBounder> bounders(m_bounder);
+        tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t k) {
+            Node &node = m_nodes[static_cast<std::size_t>(indices[k])];
+            if (node.fine)
+                return;
+            CurvaturePieceBounder &bounder = bounders.local();
+            bounder.assign(*node.piece);
+            node.fine = bounder.fine();
+        });
+    }
+
+    //! The halves of a node; nothing where there is nothing to be learned from them. A node's fine bound is to be asked
+    //! for before, or never.
     //! \param bounded is a bound of the node known to the search?
     std::optional<std::array<int, 2>> halves(int index, bool bounded)
     {
@@ -128,10 +150,15 @@ private:
         return !m_bounder.below_resolution() && (regular || node.depth < deepest_singular_piece);
     }
 
-    void look_at(Node &node)
+    void cut_piece(Node &node)
     {
         if (!node.piece)
             m_pieces.cut(node.i, node.j, m_pieces.near_point(node.i, node.j), node.piece.emplace());
+    }
+
+    void look_at(Node &node)
+    {
+        cut_piece(node);
         m_bounder.assign(*node.piece);
     }
 
@@ -195,22 +222,23 @@ public:
         // all centres come first: the better the attained curvature, the fewer pieces stay open
         for (int root = 0; root < m_tree.roots(); ++root)
             offer(m_tree.node(root));
+        int count = 0;
         for (int root = 0; root < m_tree.roots(); ++root)
-            add(root, std::numeric_limits<double>::infinity());
+            count += add_root(root);
+        look_ahead();
         bool complete = true;
-        for (int count = 0; !m_queue.empty() && count < budget() && !closed(m_queue.top().bound); ++count)
+        for (; !m_open.empty() && count < budget() && !closed(m_open.front().bound); ++count)
         {
-            const Open open = m_queue.top();
-            m_queue.pop();
+            const Open open = pop();
             if (!open.fine)
-                refine(open);
+                push({std::min(open.bound, bound_of(m_tree.fine(open.node))), open.node, true});
             else if (const auto halves = m_tree.halves(open.node, std::isfinite(open.bound)))
                 add_halves(*halves, open.bound);
             else
                 complete = false; // its centre has been probed
         }
-        if (!m_queue.empty())
-            settle(m_queue.top().bound);
+        if (!m_open.empty())
+            settle(m_open.front().bound);
         const double sign = m_goal.sign;
         return {sign * m_best.value, sign * std::max(m_settled, m_best.value), m_best.uv, !complete};
     }
@@ -241,6 +269,32 @@ private:
     //! \param known a bound of a piece that holds this one.
     void add(int index, double known) { push({std::min(known, bound_of(m_tree.node(index).rough)), index, false}); }
 
+    //! Where a whole piece has no rough bound, a fine one would hardly be of use; halves cost far less.
+    //! \return the steps taken.
+    int add_root(int root)
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const bool turns_far = std::isinf(m_tree.node(root).rough.first);
+        if (const auto halves = turns_far ? m_tree.halves(root, false) : std::nullopt)
+        {
+            add_halves(*halves, infinity);
+            return 1;
+        }
+        add(root, infinity);
+        return 0;
+    }
+
+    //! As long as a distance is undecided, every piece that may hold its curvature needs its fine bound.
+    void look_ahead()
+    {
+        std::vector<int> nodes;
+        if (m_goal.threshold > m_best.value)
+            for (const Open &open : m_open)
+                if (open.bound >= m_goal.threshold)
+                    nodes.push_back(open.node);
+        m_tree.look_closely(nodes);
+    }
+
     void add_halves(const std::array<int, 2> &halves, double known)
     {
         for (const int half : halves)
@@ -251,14 +305,20 @@ private:
                 add(half, known);
     }
 
-    void refine(const Open &open) { push({std::min(open.bound, bound_of(m_tree.fine(open.node))), open.node, true}); }
-
     void push(const Open &open)
     {
         if (closed(open.bound))
-            settle(open.bound);
-        else
-            m_queue.push(open);
+            return settle(open.bound);
+        m_open.push_back(open);
+        std::push_heap(m_open.begin(), m_open.end());
+    }
+
+    Open pop()
+    {
+        std::pop_heap(m_open.begin(), m_open.end());
+        const Open open = m_open.back();
+        m_open.pop_back();
+        return open;
     }
 
     //! Is a bound good enough to stop at?
@@ -272,10 +332,10 @@ private:
     [[nodiscard]] int budget() const
     {
         const double threshold = m_goal.threshold;
-        const bool decided = threshold == 0.0 || (m_best.value < threshold && m_queue.top().bound < threshold);
+        const bool decided = threshold == 0.0 || (m_best.value < threshold && m_open.front().bound < threshold);
         if (!m_goal.deciding || !decided)
-            return most_steps;
-        const bool wide = m_queue.top().bound > m_best.value * (1.0 + wide_gap);
+            return most_steps + steps_per_piece * m_tree.roots();
+        const bool wide = m_open.front().bound > m_best.value * (1.0 + wide_gap);
         return wide ? most_steps_after_decision : steps_after_decision;
     }
 
@@ -286,7 +346,7 @@ private:
     const SideGoal &m_goal;
     Best m_best;
     double m_settled = 0.0;
-    std::priority_queue<Open> m_queue;
+    std::vector<Open> m_open; //!< a heap: the widest bound comes first
 };
 
 //! The best of the places on the loops, and for a base that is no spline of a grid inside them.
@@ -365,7 +425,14 @@ CurvatureExtremes curvature_extremes(const BaseSurface &base, const LoopRegion &
     PieceTree tree(*base.spline(), region, smallest_piece * search.extent);
     SideSearch lowest(tree, region, low, start.first);
     SideSearch highest(tree, region, high, start.second);
-    return {lowest.run(), highest.run()};
+    CurvatureExtremes extremes;
+    // what is decided for one side, on all cores, serves the other
+    if (search.distance > 0.0)
+        extremes.highest = highest.run();
+    extremes.lowest = lowest.run();
+    if (!(search.distance > 0.0))
+        extremes.highest = highest.run();
+    return extremes;
 }
 
 } // namespace laminate_offset

@@ -17,6 +17,7 @@ namespace
 constexpr double grazing = 1e-10;
 constexpr std::size_t pieces_per_band = 4;
 constexpr double border_share = 1e-10;
+constexpr double widest_border = 1.1; // times the border's width, what may still count as inside
 constexpr double rounding = 1e-13;
 
 ParameterBox bounds_of(const std::vector<PcurvePiece> &pieces)
@@ -54,32 +55,16 @@ PcurvePiece straight_piece(const gp_Pnt2d &a, const gp_Pnt2d &b)
 //! ray through such a gap would count one crossing too few.
 std::vector<PcurvePiece> closing_pieces(const InputFace &input, const TrimmingLoop &loop)
 {
-    std::vector<CurveEnds> ends;
-    for (const TrimmingCurve &curve : loop.curves)
-        if (curve.bounds_face())
-        {
-            const CurveEnds along{curve.pieces.front().start, curve.pieces.back().end};
-            const bool reversed = curve.edge.Orientation() == TopAbs_REVERSED;
-            ends.push_back(reversed ? CurveEnds{along.end, along.start} : along);
-        }
     std::vector<PcurvePiece> closing;
-    for (const LoopGap &gap : loop_gaps(input, loop, ends))
-        if (!gap.jump && !same(gap.from, gap.to))
+    for (const LoopGap &gap : loop_gaps(input, loop, curve_ends(loop)))
+        if (!same(gap.from, gap.to))
             closing.push_back(straight_piece(gap.from, gap.to));
     return closing;
 }
 
-//! Without the border that a loop may run along.
-ParameterBox shrunk(const ParameterBox &box)
-{
-    const double du = grazing * (box.umax - box.umin);
-    const double dv = grazing * (box.vmax - box.vmin);
-    return {box.umin + du, box.umax - du, box.vmin + dv, box.vmax - dv};
-}
-
 bool overlap(const ParameterBox &a, const ParameterBox &b)
 {
-    return a.umin < b.umax && a.umax > b.umin && a.vmin < b.vmax && a.vmax > b.vmin;
+    return a.umin <= b.umax && a.umax >= b.umin && a.vmin <= b.vmax && a.vmax >= b.vmin;
 }
 
 //! False only if an arc passes a rectangle by: it is halved until the boxes of its control points tell.
@@ -98,7 +83,7 @@ bool arc_reaches(ControlPoints arc, const ParameterBox &box, int depth)
     if (!overlap(around, box))
         return false;
     const bool starts_inside =
-        start.X() > box.umin && start.X() < box.umax && start.Y() > box.vmin && start.Y() < box.vmax;
+        start.X() >= box.umin && start.X() <= box.umax && start.Y() >= box.vmin && start.Y() <= box.vmax;
     if (starts_inside || depth >= deepest)
         return true;
     const ControlPoints first = cut_off(arc, 0.5);
@@ -196,9 +181,16 @@ bool LoopRegion::contains(const gp_Pnt2d &uv) const
     return inside;
 }
 
+ParameterBox LoopRegion::core_of(const ParameterBox &box) const
+{
+    const double du = box.umax > box.umin ? grazing * (box.umax - box.umin) : -widest_border * m_border.X();
+    const double dv = box.vmax > box.vmin ? grazing * (box.vmax - box.vmin) : -widest_border * m_border.Y();
+    return {box.umin + du, box.umax - du, box.vmin + dv, box.vmax - dv};
+}
+
 bool LoopRegion::may_touch(const ParameterBox &box) const
 {
-    const ParameterBox inner = shrunk(box);
+    const ParameterBox inner = core_of(box);
     for (const PcurvePiece &piece : m_pieces)
         if (overlap(piece.box, inner))
             return true;
@@ -207,7 +199,7 @@ bool LoopRegion::may_touch(const ParameterBox &box) const
 
 bool LoopRegion::touches(const ParameterBox &box) const
 {
-    const ParameterBox inner = shrunk(box);
+    const ParameterBox inner = core_of(box);
     for (const PcurvePiece &piece : m_pieces)
         if (overlap(piece.box, inner))
             for (const std::vector<gp_XYZ> &arc : piece.arcs)

@@ -30,7 +30,8 @@ public:
     [[nodiscard]] gp_Vec2d border_width() const { return {m_border.X(), m_border.Y()}; }
 
     //! False only if no point inside the rectangle is inside the loops. A rectangle that the loops merely
-    //! touch from outside does not count.
+    //! touch from outside does not count. One without a width, or without a height, is a segment or a point: there the loops
+    //! themselves count, as they do for contains(), only not at a segment's very ends.
     [[nodiscard]] bool may_touch(const ParameterBox &box) const;
 
     //! The same for small rectangles, which a piece's box may hold although the piece passes them by.
@@ -51,6 +52,8 @@ private:
     void add(const std::vector<PcurvePiece> &pieces);
     void sort_into_bands();
     [[nodiscard]] std::size_t band(double v) const;
+    //! Without the border that a loop may run along; a direction without an extent gets the loops' border instead.
+    [[nodiscard]] ParameterBox core_of(const ParameterBox &box) const;
 
     std::vector<PcurvePiece> m_pieces; //!< each with one arc at least
     // Pieces by the bands of v that they reach into: m_in_bands from m_bands[i] to m_bands[i + 1] for band i.

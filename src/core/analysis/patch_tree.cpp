@@ -154,11 +154,16 @@ bool PatchBounds::one_to_one() const
 }
 
 PatchTree::PatchTree(const TensorSpline &spline)
+    : PatchTree(spline, SplinePieces(spline, spline.u.breaks(), spline.v.breaks()).near_point(0, 0))
+{
+}
+
+PatchTree::PatchTree(const TensorSpline &spline, const Eigen::Vector3d &origin)
     : m_us(spline.u.breaks()), m_vs(spline.v.breaks()), m_degree_u(spline.u.degree), m_degree_v(spline.v.degree),
       m_rational(spline.rational)
 {
     SplinePieces pieces(spline, m_us, m_vs);
-    build(pieces, pieces.near_point(0, 0), {0, m_us.size() - 1, 0, m_vs.size() - 1});
+    build(pieces, origin, {0, m_us.size() - 1, 0, m_vs.size() - 1});
 }
 
 int PatchTree::build(SplinePieces &pieces, const Eigen::Vector3d &origin, const std::array<std::size_t, 4> &range)

@@ -50,6 +50,8 @@ class PatchTree
 {
 public:
     explicit PatchTree(const TensorSpline &spline);
+    //! \param origin of its points and boxes, so that several trees can have the same.
+    PatchTree(const TensorSpline &spline, const Eigen::Vector3d &origin);
 
     [[nodiscard]] static constexpr int root() { return 0; }
     [[nodiscard]] const PatchNode &node(int index) const { return m_nodes[static_cast<std::size_t>(index)]; }

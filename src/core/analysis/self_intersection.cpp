@@ -2,10 +2,10 @@
 #include "self_intersection.h"
 
 #include "meeting_step.h"
+#include "parameter_periods.h"
 #include "patch_tree.h"
 
 #include <Eigen/Dense>
-#include <Precision.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,50 +36,6 @@ constexpr double coincidence = 1e-10;
 constexpr double cap_cosine = 0.5;
 
 using Place = Eigen::Vector4d; //!< (u, v) of one place and of the other
-
-//! Shifts that continue the parameters across a seam.
-struct Periods
-{
-    double u = 0.0; //!< 0: not closed
-    double v = 0.0;
-};
-
-//! Do the two ends of one parameter show the same curve within the tolerance?
-bool ends_meet(const Geom_Surface &surface, const std::array<double, 4> &bounds, bool along_u, double tolerance)
-{
-    constexpr int samples = 6;
-    const auto [u0, u1, v0, v1] = bounds;
-    for (const double bound : bounds)
-        if (Precision::IsInfinite(bound))
-            return false;
-    for (int i = 0; i <= samples; ++i)
-    {
-        const double s = static_cast<double>(i) / samples;
-        const double u = u0 + s * (u1 - u0);
-        const double v = v0 + s * (v1 - v0);
-        const double gap = along_u ? surface.Value(u0, v).Distance(surface.Value(u1, v))
-                                   : surface.Value(u, v0).Distance(surface.Value(u, v1));
-        if (gap > tolerance)
-            return false;
-    }
-    return true;
-}
-
-Periods periods_of(const InputFace &input, double tolerance)
-{
-    double u0, u1, v0, v1;
-    input.surface->Bounds(u0, u1, v0, v1);
-    Periods periods;
-    if (input.surface->IsUPeriodic())
-        periods.u = input.surface->UPeriod();
-    else if (ends_meet(*input.surface, {u0, u1, v0, v1}, true, tolerance))
-        periods.u = u1 - u0;
-    if (input.surface->IsVPeriodic())
-        periods.v = input.surface->VPeriod();
-    else if (ends_meet(*input.surface, {u0, u1, v0, v1}, false, tolerance))
-        periods.v = v1 - v0;
-    return periods;
-}
 
 //! The shift of b, a multiple 0 or +-1 of the period, that brings it nearest to a; and the gap left.
 std::pair<double, double> nearest_shift(double a0, double a1, double b0, double b1, double period)

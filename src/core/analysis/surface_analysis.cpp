@@ -104,7 +104,7 @@ SurfaceAnalysis unchecked(const InputFace &input, double distance, double tolera
 Result<SurfaceAnalysis> checked(SurfaceAnalysis analysis, const InputFace &input, double distance, double tolerance)
 {
     const double farther = farther_distance(input, distance);
-    const std::vector<CreaseLine> creases = find_creases(analysis.base, analysis.region, farther, tolerance);
+    const std::vector<CreaseLine> creases = find_creases(input, analysis.base, analysis.region, farther, tolerance);
     if (!creases.empty())
         return creased_refusal(input, creases);
     if (const auto regular = check_base_distance(analysis, input); !regular)

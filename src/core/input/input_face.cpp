@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "input_face.h"
 
+#include "loop_gaps.h"
 #include "pcurve_pieces.h"
 
 #include <BRepBuilderAPI_Transform.hxx>
@@ -295,6 +296,19 @@ Result<bool> measure(InputFace &input)
     return true;
 }
 
+//! A loop may hang together in space and yet not enclose anything in the parameters.
+Result<bool> check_closed_in_parameters(const InputFace &input)
+{
+    for (const TrimmingLoop &loop : input.loops)
+        for (const LoopGap &gap : loop_gaps(input, loop, curve_ends(loop)))
+            if (gap.jump)
+                return refusal_at(Status::InvalidFace,
+                                  "A trimming loop does not close in the surface's parameters, as when a seam edge is "
+                                  "missing; repair the face.",
+                                  input, gap.from);
+    return true;
+}
+
 //! A swept arc whose loops run beside its ends, as those of an arc over its circle's zero may do by a whole turn: the curve that
 //! the arc is a part of has the same parameters, and room for the loops.
 void untrim_profile(InputFace &input)
@@ -349,6 +363,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
                        "The face has no trimming loop; trim the surface to a finite face first.");
     if (const Result<bool> measured = measure(input); !measured)
         return measured.failure();
+    if (const Result<bool> closed = check_closed_in_parameters(input); !closed)
+        return closed.failure();
     untrim_profile(input);
     return input;
 }

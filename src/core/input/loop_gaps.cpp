@@ -43,7 +43,7 @@ public:
         {
             const gp_Pnt2d &from = m_ends[i].end;
             const gp_Pnt2d &to = m_ends[m_next[i]].start;
-            gaps.push_back({from, to, gap(from, to) > widest_gap && !one_point(from, to)});
+            gaps.push_back({from, to, !(gap(from, to) <= widest_gap) && !one_point(from, to)});
         }
         return gaps;
     }
@@ -57,7 +57,8 @@ private:
         {
             if (m_taken[k] != 0 || (by_vertex && (m_last[i].IsNull() || !m_last[i].IsSame(m_first[k]))))
                 continue;
-            if (const double width = gap(m_ends[i].end, m_ends[k].start); width < least)
+            const double width = gap(m_ends[i].end, m_ends[k].start);
+            if (m_next[i] == m_ends.size() || width < least) // some start at any rate, though a width be no number
             {
                 least = width;
                 m_next[i] = k;
@@ -92,6 +93,19 @@ private:
 };
 
 } // namespace
+
+std::vector<CurveEnds> curve_ends(const TrimmingLoop &loop)
+{
+    std::vector<CurveEnds> ends;
+    for (const TrimmingCurve &curve : loop.curves)
+        if (curve.bounds_face())
+        {
+            const CurveEnds along{curve.pieces.front().start, curve.pieces.back().end};
+            const bool reversed = curve.edge.Orientation() == TopAbs_REVERSED;
+            ends.push_back(reversed ? CurveEnds{along.end, along.start} : along);
+        }
+    return ends;
+}
 
 std::vector<LoopGap> loop_gaps(const InputFace &input, const TrimmingLoop &loop, const std::vector<CurveEnds> &ends)
 {

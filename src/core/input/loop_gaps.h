@@ -29,9 +29,12 @@ struct LoopGap
     gp_Pnt2d from;
     gp_Pnt2d to;
     //! Too wide for a straight line to close the loop: more than a thousandth of the loops' box, and not one point of space
-    //! either, as along the collapsed side at a pole. A seam edge is missing, for instance.
+    //! either, as along the collapsed side at a pole. A seam edge is missing, for instance. read_face() refuses such a loop.
     bool jump = false;
 };
+
+//! The ends of the curves of a loop that bound the face, in the loop's order, as their pieces have them.
+std::vector<CurveEnds> curve_ends(const TrimmingLoop &loop);
 
 //! One gap for each curve of the loop that bounds the face, in the loop's order; `from` and `to` may be equal.
 //! \param ends of those curves, in the loop's order.

@@ -18,6 +18,8 @@ namespace
 
 constexpr int pieces_per_interval = 8;
 constexpr int least_pieces = 16;
+// Where a pcurve has many intervals, each is short: this many pieces in all, or two an interval, serve as well.
+constexpr int enough_pieces = 64;
 // An edge may begin before its pcurve, or end behind it, by this part of the pcurve's range: its ends are meant.
 constexpr double end_rounding = 1e-12;
 
@@ -25,7 +27,8 @@ int piece_count(const Geom2dAdaptor_Curve &curve)
 {
     if (curve.GetType() == GeomAbs_Line || (curve.GetType() == GeomAbs_BSplineCurve && curve.NbPoles() == 2))
         return 1;
-    return std::max(least_pieces, pieces_per_interval * curve.NbIntervals(GeomAbs_C2));
+    const int intervals = curve.NbIntervals(GeomAbs_C2);
+    return std::clamp(pieces_per_interval * intervals, least_pieces, std::max(enough_pieces, 2 * intervals));
 }
 
 //! Piece ends between two parameters.
@@ -89,6 +92,7 @@ std::vector<Arcs> arcs_of(const Handle(Geom2d_Curve) & pcurve, const Geom2dAdapt
 std::vector<gp_XYZ> plain(const ControlPoints &arc)
 {
     std::vector<gp_XYZ> result;
+    result.reserve(arc.size());
     for (const Eigen::Vector3d &point : arc)
         result.emplace_back(point.x(), point.y(), point.z());
     return result;

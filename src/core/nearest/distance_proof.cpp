@@ -14,6 +14,8 @@ namespace
 constexpr int deepest = 60;
 // Coefficients round by about so much of the largest term.
 constexpr double rounding = 1e-14;
+// Fewer halvings settle most parts; a bound along a valley costs more than such a halving.
+constexpr int valley_depth = 5;
 // A second derivative above so many times the coefficients' rounding is positive.
 constexpr double sure_curvature = 1e3;
 
@@ -99,7 +101,8 @@ public:
     {
         Part whole = whole_part();
         const Bernstein::Range range = whole.h.range();
-        m_noise = rounding * (range.size() + whole.level);
+        const int degree = std::max(whole.h.degree_u(), whole.h.degree_v());
+        m_noise = std::max(rounding, valley_rounding(degree)) * (range.size() + whole.level);
         cover(std::move(whole), 0);
     }
 
@@ -203,7 +206,7 @@ private:
         }
         const bool across_v = bends.vv.low * bends.uu.size() >= bends.uu.low * bends.vv.size();
         const double curvature = across_v ? bends.vv.low : bends.uu.low;
-        const bool valley = curvature > sure_curvature * m_noise;
+        const bool valley = depth >= valley_depth && curvature > sure_curvature * m_noise;
         if (depth >= deepest || (valley && valley_is_above(part.h, m_noise, across_v, curvature)))
             return;
         Part upper;

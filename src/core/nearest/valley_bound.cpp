@@ -2,6 +2,7 @@
 #include "valley_bound.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace
 {
 
 constexpr int most_steps = 12;
+// The given bound of the second derivative is itself computed.
+constexpr double sure_part = 0.99;
 
 //! Bernstein coefficients of a polynomial as rows across the valley, the rows one after the other along it.
 class Rows
@@ -125,6 +128,13 @@ double zero_of(const double *c, int degree)
 
 } // namespace
 
+double valley_rounding(int degree)
+{
+    // three roundings for each step of de Casteljau's scheme, twice as many steps as the degree, and some for the products
+    constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();
+    return (6.0 * degree + 8.0) * unit;
+}
+
 bool valley_is_above(const Bernstein &h, double lift, bool across_v, double curvature)
 {
     Rows rows(h, across_v);
@@ -139,12 +149,16 @@ bool valley_is_above(const Bernstein &h, double lift, bool across_v, double curv
     const bool falls_to_high_side = from == 1.0 && to == 1.0 && slope.range().high <= 0.0;
     if (falls_to_low_side || falls_to_high_side)
         return value.range().low + lift >= 0.0;
+    const double c = sure_part * curvature;
     Bernstein bound(2 * slope.degree_u(), 0);
-    bound.add_product(-1.0 / (2.0 * curvature), slope, slope);
+    bound.add_product(-1.0 / (2.0 * c), slope, slope);
     Bernstein raised(std::max(bound.degree_u(), value.degree_u()), 0);
     raised.add_raised(1.0, value);
     raised.add_raised(1.0, bound);
-    return raised.range().low + lift >= 0.0;
+    // the rounding of a slope, twice the coefficients' size for each degree, in its square, and that of the square
+    const double steepest = slope.range().size();
+    const double of_slope = 2.0 * rows.across() * h.range().size();
+    return raised.range().low + lift >= valley_rounding(rows.across()) * steepest * (of_slope + steepest) / c;
 }
 
 } // namespace laminate_offset

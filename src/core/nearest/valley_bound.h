@@ -17,9 +17,14 @@
 namespace laminate_offset
 {
 
+//! What a value along the valley rounds by, as a part of the largest coefficient.
+//! \param degree of h, the higher one.
+double valley_rounding(int degree);
+
 //! Is h(u, v) + lift >= 0 all over the unit square, as seen along its valley?
 //! \param across_v the valley runs along u, else along v.
-//! \param curvature lower bound of h_vv (h_uu) over the square, above zero.
+//! \param curvature lower bound of h_vv (h_uu) over the square, above zero; to a hundredth.
+//! \param lift holds valley_rounding() times the largest coefficient, too; what else rounds is counted here.
 //! \return false where that is not proven.
 bool valley_is_above(const Bernstein &h, double lift, bool across_v, double curvature);
 

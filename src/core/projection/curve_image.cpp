@@ -25,8 +25,13 @@ constexpr int deepest = 26;
 constexpr std::size_t most_cubics = 10000;
 // Parts of the tolerance for the cubics, tried in turn.
 constexpr double fit_shares[] = {0.3, 0.05};
-// A tolerance that takes a jump into its cubics is larger than needs be by this factor: two digits of it are told.
-constexpr double bridging = 1.1;
+// A bridge needs room beside the jump: so many times what it costs in distance is told.
+constexpr double bridging = 1.25;
+constexpr int bridge_probes = 64;
+// Where the way across is not what fails: so many times the tolerance is told at least.
+constexpr double more_tolerance = 2.0;
+// A bridge may be farther from the curve than the nearest point by this part of the distance, whatever the tolerance.
+constexpr double bridge_share = 0.1;
 // Places between two knots of an image where its distance from the curve is measured.
 constexpr int places_per_span = 8;
 // Part of the tolerance that taking out knots may cost.
@@ -53,14 +58,17 @@ struct Cubic
 struct Jump
 {
     ImageFoot from;
-    double width = 0.0; //!< [mm]
+    double width = 0.0;  //!< [mm]
+    double excess = 0.0; //!< how much farther from the curve than its nearest point the way across is [mm]
 };
 
 class ImageFitter
 {
 public:
-    ImageFitter(const ImageMarcher &marcher, const ImageSurface &on, double admissible, bool on_surface)
-        : m_marcher(marcher), m_on(on), m_admissible(admissible), m_on_surface(on_surface)
+    //! \param excess a piece over a jump may be farther from the curve than its nearest point by this, or by a share of the
+    //! distance [mm]; 0: no such piece.
+    ImageFitter(const ImageMarcher &marcher, const ImageSurface &on, double admissible, bool on_surface, double excess)
+        : m_marcher(marcher), m_on(on), m_admissible(admissible), m_on_surface(on_surface), m_excess(excess)
     {
     }
 
@@ -75,7 +83,7 @@ public:
         cubic.q[3] = end.uv;                              // eq. 3.13d
         for (Eigen::Vector2d &q : cubic.q)
             q = {std::clamp(q.x(), m_on.box.umin, m_on.box.umax), std::clamp(q.y(), m_on.box.vmin, m_on.box.vmax)};
-        if (fits(cubic))
+        if (fits(cubic) || (m_excess > 0.0 && bridges(cubic) && holds_jump(start, end)))
         {
             m_cubics.push_back(cubic);
             return true;
@@ -84,7 +92,7 @@ public:
         if (depth >= deepest || m_cubics.size() >= most_cubics || !(middle > start.t && middle < end.t))
         {
             if (const double width = (end.point - start.point).norm(); depth >= deepest && width > m_admissible)
-                m_jump = Jump{start, width};
+                m_jump = Jump{start, width, excess_between(start, end)};
             return false;
         }
         const ImageFoot between = m_marcher.foot(middle, 0.5 * (start.uv + end.uv));
@@ -138,18 +146,62 @@ private:
         {
             const double t = cubic.low + x * (cubic.high - cubic.low);
             const Eigen::Vector2d uv = cubic.value(t);
-            const Eigen::Vector3d there = vector(m_on.surface->Value(uv.x(), uv.y()).XYZ());
             const Eigen::Vector3d target = m_on_surface ? m_marcher.given(t) : m_marcher.foot(t, uv).point;
-            if (!((there - target).norm() <= m_admissible))
+            if (!((point(uv) - target).norm() <= m_admissible))
                 return false;
         }
         return true;
+    }
+
+    [[nodiscard]] Eigen::Vector3d point(const Eigen::Vector2d &uv) const
+    {
+        return vector(m_on.surface->Value(uv.x(), uv.y()).XYZ());
+    }
+
+    //! Is the image all along about as near to the curve as the surface is?
+    [[nodiscard]] bool bridges(const Cubic &cubic) const
+    {
+        for (int k = 1; k < bridge_probes; ++k)
+        {
+            const double t = cubic.low + (cubic.high - cubic.low) * k / bridge_probes;
+            const Eigen::Vector2d uv = cubic.value(t);
+            const double least = m_marcher.foot(t, uv).distance;
+            if (!((point(uv) - m_marcher.given(t)).norm() <= least + std::max(m_excess, bridge_share * least)))
+                return false;
+        }
+        return true;
+    }
+
+    //! Does the nearest point jump between two places of the curve? The half is taken where its ends lie farther apart.
+    [[nodiscard]] bool holds_jump(ImageFoot start, ImageFoot end) const
+    {
+        for (int depth = 0; depth < deepest; ++depth)
+        {
+            const double middle = 0.5 * (start.t + end.t);
+            if ((end.point - start.point).norm() <= m_admissible || !(middle > start.t && middle < end.t))
+                return false;
+            const ImageFoot between = m_marcher.foot(middle, 0.5 * (start.uv + end.uv));
+            const bool first = (between.point - start.point).norm() >= (end.point - between.point).norm();
+            (first ? end : start) = between;
+        }
+        return (end.point - start.point).norm() > m_admissible;
+    }
+
+    //! Of the straight line in the parameters between the feet of one and the same point of the curve.
+    [[nodiscard]] double excess_between(const ImageFoot &a, const ImageFoot &b) const
+    {
+        const Eigen::Vector3d given = m_marcher.given(a.t);
+        double farthest = a.distance;
+        for (int k = 1; k < bridge_probes; ++k)
+            farthest = std::max(farthest, (point(a.uv + (b.uv - a.uv) * k / bridge_probes) - given).norm());
+        return farthest - a.distance;
     }
 
     const ImageMarcher &m_marcher;
     const ImageSurface &m_on;
     double m_admissible;
     bool m_on_surface;
+    double m_excess;
     std::vector<Cubic> m_cubics;
     std::optional<Jump> m_jump;
 };
@@ -176,6 +228,13 @@ Handle(Geom2d_BSplineCurve) kept_inside(const Handle(Geom2d_BSplineCurve) & curv
         curve->SetPole(i, gp_Pnt2d(std::clamp(pole.X(), box.umin, box.umax), std::clamp(pole.Y(), box.vmin, box.vmax)));
     }
     return curve;
+}
+
+//! Two digits of a number above zero, rounded up.
+double rounded_up(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return unit * std::ceil(value / unit);
 }
 
 class ImageMaker
@@ -208,7 +267,7 @@ public:
             return {};
         const double part = fit_shares[0];
         std::optional<Jump> jump;
-        const Handle(Geom2d_BSplineCurve) fitted = hermite_pieces(runs.front(), part * m_tolerance, false, jump);
+        const Handle(Geom2d_BSplineCurve) fitted = hermite_pieces(runs.front(), {part * m_tolerance, false, 0.0}, jump);
         return fitted.IsNull() ? fitted : simplified(fitted, removal_share * m_tolerance / m_marcher.speed());
     }
 
@@ -226,16 +285,26 @@ private:
             Status::EdgeToleranceNotReached, Stage::Trimming,
             fmt::format("At its parameter {:.6g} the curve is {:.3g} mm away from the surface, and its nearest point "
                         "jumps by {:.3g} mm over a hollow crease; bring the curve nearer to the surface, or ask for "
-                        "a tolerance of {:.2g} mm or more, which bridges the jump.",
-                        at.t, at.distance, jump->width, bridging * jump->width / fit_shares[0]),
+                        "a tolerance of {:.2g} mm or more, by which the image may be farther from the curve than "
+                        "the nearest points where it crosses the crease.",
+                        at.t, at.distance, jump->width,
+                        rounded_up(std::max(bridging * jump->excess, more_tolerance * m_tolerance))),
             Where{gp_Pnt2d(at.uv.x(), at.uv.y()), gp_Pnt(at.point.x(), at.point.y(), at.point.z())}, std::nullopt};
     }
 
-    //! Null where the cubics do not come within `admissible`.
-    [[nodiscard]] Handle(Geom2d_BSplineCurve)
-        hermite_pieces(const ImageRun &run, double admissible, bool on_surface, std::optional<Jump> &jump) const
+    //! How near the cubics have to come; see ImageFitter.
+    struct Demand
     {
-        ImageFitter fitter(m_marcher, m_on, admissible, on_surface);
+        double admissible = 0.0;
+        bool on_surface = false;
+        double excess = 0.0;
+    };
+
+    //! Null where the cubics do not come as near.
+    [[nodiscard]] Handle(Geom2d_BSplineCurve)
+        hermite_pieces(const ImageRun &run, const Demand &demand, std::optional<Jump> &jump) const
+    {
+        ImageFitter fitter(m_marcher, m_on, demand.admissible, demand.on_surface, demand.excess);
         for (std::size_t i = 0; i + 1 < run.feet.size(); ++i)
             if (!fitter.fit(run.feet[i], run.feet[i + 1], 0))
             {
@@ -256,17 +325,49 @@ private:
                 if (on_surface && distance > on_surface_share * m_tolerance)
                     continue;
                 const double room = on_surface ? m_tolerance - distance : m_tolerance;
-                const Handle(Geom2d_BSplineCurve) fitted =
-                    hermite_pieces(run, (on_surface ? distance : 0.0) + share * room, on_surface, jump);
-                if (fitted.IsNull())
-                    continue;
-                if (std::optional<ImagePiece> piece = proven(fitted, on_surface, share * room))
+                const Demand demand{(on_surface ? distance : 0.0) + share * room, on_surface, 0.0};
+                if (std::optional<ImagePiece> piece = piece_of(run, demand, share * room, distance, jump))
+                    return piece;
+            }
+        if (jump)
+            for (const double share : fit_shares)
+            {
+                const double part = share * m_tolerance;
+                if (std::optional<ImagePiece> piece = piece_of(run, {part, false, m_tolerance}, part, distance, jump))
                 {
-                    piece->distance = std::max(distance, distance_seen(*piece));
+                    piece->bridged = true;
                     return piece;
                 }
             }
         return std::nullopt;
+    }
+
+    //! \param distance largest one of the feet [mm].
+    [[nodiscard]] std::optional<ImagePiece> piece_of(const ImageRun &run, const Demand &demand, double room,
+                                                     double distance, std::optional<Jump> &jump) const
+    {
+        const Handle(Geom2d_BSplineCurve) cubics = hermite_pieces(run, demand, jump);
+        if (cubics.IsNull())
+            return std::nullopt;
+        std::optional<ImagePiece> piece = proven(cubics, demand.on_surface, room);
+        if (!piece)
+            return std::nullopt;
+        piece->distance = std::max(distance, distance_seen(*piece));
+        piece->distance_bound = proven_distance(*piece);
+        return piece;
+    }
+
+    //! Of the given curve from its image.
+    [[nodiscard]] std::optional<double> proven_distance(const ImagePiece &piece) const
+    {
+        Deviation deviation = piece.deviation; // of the given curve itself, on the surface
+        if (!piece.on_surface)
+        {
+            const EdgeTarget target({m_on.proof_surface, piece.pcurve, piece.first, piece.last}, m_on.form);
+            deviation = target.deviation(m_curve.curve, std::max(m_tolerance, piece.distance));
+            deviation.bound += m_on.model_error;
+        }
+        return deviation.proven ? std::optional<double>(deviation.bound) : std::nullopt;
     }
 
     //! Of the given curve from its image, between the image's knots: feet alone miss where it leaves the surface.
@@ -297,8 +398,8 @@ private:
              {Handle(Geom2d_Curve)(kept_inside(simplified(pcurve, admissible), m_on.box)),
               Handle(Geom2d_Curve)(pcurve)})
         {
-            ImagePiece piece{candidate,  {}, candidate->FirstParameter(), candidate->LastParameter(), {},
-                             on_surface, 0.0};
+            ImagePiece piece{
+                candidate, {}, candidate->FirstParameter(), candidate->LastParameter(), {}, on_surface, 0.0, {}, false};
             const EdgeTarget target({m_on.proof_surface, candidate, piece.first, piece.last}, m_on.form);
             const double left = m_tolerance - m_on.model_error;
             if (on_surface)

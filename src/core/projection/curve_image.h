@@ -9,7 +9,12 @@
 //!
 //! What is proven: where the curve lies on the surface (everywhere within the tolerance), the distance |C(t) - S(c(t))| of the
 //! given curve C itself, which then stays the edge's curve. Elsewhere C is dropped along the surface's normal, the edge gets
-//! a curve E of its own along the image, and |E(t) - S(c(t))| is proven; that c is C's image is checked at samples.
+//! a curve E of its own along the image, and |E(t) - S(c(t))| is proven; that c is C's image is checked at samples. How far C
+//! keeps from its image, |C(t) - S(c(t))|, is proven apart from that.
+//!
+//! Over a hollow crease the nearest point jumps from one side to the other and has no continuous image. Where no piece of cubics
+//! follows it, the piece with the jump may cross the crease: there the image's distance from C exceeds the least one by the
+//! tolerance at most, or by a tenth, at samples. What keeps away from the surface is not known better than that.
 #pragma once
 
 #include "../nearest/face_nearest.h"
@@ -47,9 +52,11 @@ struct ImagePiece
     Handle(Geom_Curve) curve;
     double first = 0.0;
     double last = 0.0;
-    Deviation deviation;    //!< of `curve` from the surface along the pcurve
-    bool on_surface = true; //!< `curve` is the given one
-    double distance = 0.0;  //!< largest one seen between the given curve and its image [mm]
+    Deviation deviation;                  //!< of `curve` from the surface along the pcurve
+    bool on_surface = true;               //!< `curve` is the given one
+    double distance = 0.0;                //!< largest one seen between the given curve and its image [mm]
+    std::optional<double> distance_bound; //!< proven bound of that distance [mm], where there is one
+    bool bridged = false;                 //!< the image crosses a crease over which the nearest point jumps
 };
 
 //! The image of a curve on the surface's box, in order of its parameter; parts whose nearest points lie on the end of the

@@ -26,6 +26,9 @@ constexpr double inward_step = 1e-5;
 // The end of the surface is reached within this part of the width.
 constexpr double border_share = 1e-12;
 constexpr double closed_share = 1e-9;
+// A curve that leaves over the border may slide along it for so many tolerances before it counts as outside; that is no
+// part of its image. What goes on along the border for longer is meant.
+constexpr double longest_slide = 64.0;
 // Parameters nearer to each other than this part of the range count as one.
 constexpr double same_share = 1e-9;
 
@@ -121,6 +124,7 @@ ImageFoot ImageMarcher::foot(double t, const Eigen::Vector2d &hint) const
         const bool high = m_high[k] - result.uv[k] <= border_share * width;
         const gp_Vec &side = k == 0 ? u : v;
         const double beyond = -r.Dot(side) / std::max(side.Magnitude(), 1e-300); // how far C lies past the side
+        result.on_border = result.on_border || (!m_closed[k] && (low || high));
         held[k] = !m_closed[k] && ((low && beyond < -m_tolerance) || (high && beyond > m_tolerance));
     }
     result.outside = held[0] || held[1];
@@ -205,6 +209,17 @@ std::pair<ImageFoot, ImageFoot> ImageMarcher::transition(ImageFoot a, ImageFoot 
     return {a, b};
 }
 
+ImageFoot ImageMarcher::border_crossing(const ImageFoot &inner, const ImageFoot &last) const
+{
+    if (!last.on_border)
+        return last;
+    const auto differ = [](const ImageFoot &x, const ImageFoot &y) { return x.on_border != y.on_border; };
+    const ImageFoot crossing = inner.on_border    ? inner
+                               : inner.t < last.t ? transition(inner, last, differ).second
+                                                  : transition(last, inner, differ).first;
+    return (crossing.point - last.point).norm() <= longest_slide * m_tolerance ? crossing : last;
+}
+
 namespace
 {
 
@@ -238,7 +253,7 @@ std::vector<ImageRun> ImageMarcher::runs(bool clip) const
         {
             const auto [a, b] =
                 transition(before, here, [](const ImageFoot &x, const ImageFoot &y) { return x.outside != y.outside; });
-            add(before.outside ? b : a);
+            add(before.outside ? border_crossing(here, b) : border_crossing(before, a));
             if (here.outside)
                 runs.emplace_back();
         }

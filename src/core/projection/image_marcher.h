@@ -15,8 +15,9 @@ struct ImageFoot
     Eigen::Vector2d uv{0.0, 0.0};
     Eigen::Vector2d slope{0.0, 0.0}; //!< d(u, v)/dt: the curve's tangent dropped onto the parameters
     Eigen::Vector3d point{0.0, 0.0, 0.0};
-    double distance = 0.0; //!< to the curve [mm]
-    bool outside = false;  //!< the foot is held back by the end of the surface
+    double distance = 0.0;  //!< to the curve [mm]
+    bool outside = false;   //!< the foot is held back by the end of the surface
+    bool on_border = false; //!< it lies on an end of the surface that is no seam
 };
 
 //! A part of the curve between seams and borders.
@@ -49,6 +50,9 @@ private:
     void settle(ImageFoot &foot, const Eigen::Vector2d &hint) const;
     [[nodiscard]] bool on_seam(const ImageFoot &foot, int direction) const;
     [[nodiscard]] bool at_pole(const ImageFoot &foot, int direction) const;
+    //! Where the curve reaches the border of the surface between a foot inside and the last one before it counts as
+    //! outside.
+    [[nodiscard]] ImageFoot border_crossing(const ImageFoot &inner, const ImageFoot &last) const;
     //! Both sides of the place between a and b where `differ` begins to hold.
     template <typename Differ>
     [[nodiscard]] std::pair<ImageFoot, ImageFoot> transition(ImageFoot a, ImageFoot b, const Differ &differ) const;

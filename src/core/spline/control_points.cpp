@@ -9,6 +9,7 @@
 #include <Precision.hxx>
 
 #include <algorithm>
+#include <array>
 
 namespace laminate_offset
 {
@@ -16,6 +17,7 @@ namespace laminate_offset
 ControlPoints weighted_poles(const Geom2d_BSplineCurve &curve)
 {
     ControlPoints poles;
+    poles.reserve(static_cast<std::size_t>(curve.NbPoles()));
     for (int i = 1; i <= curve.NbPoles(); ++i)
         poles.push_back(curve.Weight(i) * Eigen::Vector3d(curve.Pole(i).X(), curve.Pole(i).Y(), 1.0));
     return poles;
@@ -25,28 +27,36 @@ ControlPoints span_points(const KnotVector &kv, const ControlPoints &poles, int 
 {
     const int p = kv.degree;
     const double *t = kv.knots.data() + span;
-    ControlPoints result;
-    for (int i = 0; i <= p; ++i)
-    {
-        ControlPoints points(poles.begin() + (span - p), poles.begin() + (span + 1));
-        for (int r = 1; r <= p; ++r)
+    // one level of de Boor's algorithm at x, in place
+    const auto level = [&](Eigen::Vector3d *points, int r, double x) {
+        for (int k = p; k >= r; --k)
         {
-            const double x = r <= p - i ? t[0] : t[1];
-            for (int k = p; k >= r; --k)
-            {
-                const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
-                Eigen::Vector3d &point = points[static_cast<std::size_t>(k)];
-                point = (1.0 - s) * points[static_cast<std::size_t>(k) - 1] + s * point;
-            }
+            const double s = (x - t[k - p]) / (t[k + 1 - r] - t[k - p]);
+            points[k] = (1.0 - s) * points[k - 1] + s * points[k];
         }
-        result.push_back(points.back());
+    };
+    std::array<Eigen::Vector3d, max_spline_degree + 1> at_start;
+    std::array<Eigen::Vector3d, max_spline_degree + 1> points;
+    std::copy_n(poles.begin() + (span - p), p + 1, at_start.begin());
+    ControlPoints result(static_cast<std::size_t>(p) + 1);
+    // point i is the blossom of the start, p - i times, and of the end, i times: all share their levels at the start
+    for (int i = p; i >= 0; --i)
+    {
+        points = at_start;
+        for (int r = p - i + 1; r <= p; ++r)
+            level(points.data(), r, t[1]);
+        result[static_cast<std::size_t>(i)] = points[static_cast<std::size_t>(p)];
+        if (i > 0)
+            level(at_start.data(), p - i + 1, t[0]);
     }
     return result;
 }
 
 ControlPoints cut_off(ControlPoints &points, double s)
 {
-    ControlPoints before{points.front()};
+    ControlPoints before;
+    before.reserve(points.size());
+    before.push_back(points.front());
     for (std::size_t count = points.size() - 1; count > 0; --count)
     {
         for (std::size_t k = 0; k < count; ++k)

@@ -158,14 +158,12 @@ gp_XYZ FaceIntegrals::first_moment(double low, double high) const
     return (high - low) * (of_position + of_normal);
 }
 
-Result<FaceIntegrals> integrate_face(const InputFace &input)
+FaceIntegrals integrate_face(const InputFace &input)
 {
     const BaseSurface base(input.surface, fit_box(input));
-    const Result<std::vector<FaceStrip>> strips = face_strips(input, base.interval_ends_u(), base.interval_ends_v());
-    if (!strips)
-        return strips.failure();
+    const std::vector<FaceStrip> strips = face_strips(input, base.interval_ends_u(), base.interval_ends_v());
     const Integrand integrand(input, base);
-    return placed(over_strips(integrand, strips.value()), integrand, input);
+    return placed(over_strips(integrand, strips), integrand, input);
 }
 
 } // namespace laminate_offset

@@ -39,7 +39,6 @@ struct FaceIntegrals
 //! Integrates over the inside of the pcurves. The area integral becomes one over rectangles between knots and over the
 //! strips between a knot line and a piece of a pcurve (Green's theorem), each by Gauss rules of 7 x 7 and 10 x 10
 //! points, quartered until both agree to 1e-10. Works on all cores; the sum does not depend on their number.
-//! Refusal: InvalidFace where a loop does not close in the surface's parameters.
-Result<FaceIntegrals> integrate_face(const InputFace &input);
+FaceIntegrals integrate_face(const InputFace &input);
 
 } // namespace laminate_offset

@@ -32,15 +32,14 @@ public:
     {
     }
 
-    Result<std::vector<FaceStrip>> make()
+    std::vector<FaceStrip> make()
     {
         for (const TrimmingLoop &loop : m_input.loops)
         {
             for (const TrimmingCurve &curve : loop.curves)
                 if (curve.bounds_face())
                     add_curve(curve);
-            if (const Result<bool> closed = close_gaps(loop); !closed)
-                return closed.failure();
+            close_gaps(loop);
         }
         add_rectangles();
         return std::move(m_strips);
@@ -124,7 +123,7 @@ private:
     }
 
     //! Pcurves meet to their tolerance only; straight pieces join them.
-    Result<bool> close_gaps(const TrimmingLoop &loop)
+    void close_gaps(const TrimmingLoop &loop)
     {
         std::vector<CurveEnds> ends;
         for (const TrimmingCurve &curve : loop.curves)
@@ -135,22 +134,8 @@ private:
                                 curve.pcurve->Value(forward ? curve.last : curve.first)});
             }
         for (const LoopGap &gap : loop_gaps(m_input, loop, ends))
-        {
-            if (gap.jump)
-                return jump(gap.from);
             if (gap.from.Y() != gap.to.Y())
                 add_strip({{}, 0.0, 1.0, gap.from, gap.to, 0.0, 1.0}, gp_Pnt2d(0.5 * (gap.from.XY() + gap.to.XY())));
-        }
-        return true;
-    }
-
-    [[nodiscard]] Failure jump(const gp_Pnt2d &uv) const
-    {
-        return {
-            Status::InvalidFace, Stage::Input,
-            "A trimming loop does not close in the surface's parameters, as when a seam edge is missing; repair the "
-            "face.",
-            m_input.place(uv), std::nullopt};
     }
 
     const InputFace &m_input;
@@ -176,8 +161,7 @@ StripRow FaceStrip::row(double y) const
     return {p.Y(), left, p.X(), (last - first) * slope.Y()};
 }
 
-Result<std::vector<FaceStrip>> face_strips(const InputFace &input, const std::vector<double> &us,
-                                           const std::vector<double> &vs)
+std::vector<FaceStrip> face_strips(const InputFace &input, const std::vector<double> &us, const std::vector<double> &vs)
 {
     return StripMaker(input, us, vs).make();
 }

@@ -3,7 +3,6 @@
 //! The inside of a face's loops as a sum of strips in the surface's parameters, none of which crosses a knot line.
 #pragma once
 
-#include "../base/result.h"
 #include "../input/input_face.h"
 
 #include <vector>
@@ -39,8 +38,7 @@ struct FaceStrip
 //! the integral of f over u from the box's left side. Where it runs through whole intervals between knots, those parts
 //! are gathered to rectangles, each of which counts once.
 //! \param us, vs where f is less smooth, increasing, with the ends of a box around the loops.
-//! Refusal: InvalidFace where a loop does not close in the parameters.
-Result<std::vector<FaceStrip>> face_strips(const InputFace &input, const std::vector<double> &us,
-                                           const std::vector<double> &vs);
+std::vector<FaceStrip> face_strips(const InputFace &input, const std::vector<double> &us,
+                                   const std::vector<double> &vs);
 
 } // namespace laminate_offset

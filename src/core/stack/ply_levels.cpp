@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace laminate_offset
@@ -85,8 +87,8 @@ public:
             varies ? with_ramps(analysis.value()) : all_constant(analysis.value());
         if (!surfaces)
             return surfaces.failure();
-        const std::optional<AddedRamps> added = added_ramps(analysis.value().base);
-        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside, {}, added};
+        std::vector<AddedRamps> added = added_ramps(analysis.value().base);
+        PlyLevels levels{std::move(analysis).value(), {}, {}, m_inside, {}, std::move(added)};
         for (const LaidPly &ply : m_stacking.plies)
         {
             const auto known = m_shares.find({ply.region, ply.ramp});
@@ -218,8 +220,8 @@ private:
         return m_shares.emplace(key, made_share(laid, base)).first->second;
     }
 
-    //! The worst place of all surfaces that lie over several ramps.
-    [[nodiscard]] std::optional<AddedRamps> added_ramps(const BaseSurface &base) const
+    //! Of every set of boundaries the worst place of all surfaces that lie over several ramps, the worst set first.
+    [[nodiscard]] std::vector<AddedRamps> added_ramps(const BaseSurface &base) const
     {
         std::vector<const Recipe *> over_several;
         for (std::size_t i = 0; i <= m_stacking.plies.size(); ++i)
@@ -230,38 +232,79 @@ private:
             if (recipe.ramps.size() > 1 && !known)
                 over_several.push_back(&recipe);
         }
-        std::vector<std::optional<AddedRamps>> found(over_several.size());
+        std::vector<RampsByBoundaries> found(over_several.size());
         tbb::parallel_for(std::size_t{0}, found.size(),
                           [&](std::size_t i) { found[i] = added(*over_several[i], base); });
-        std::optional<AddedRamps> worst;
-        for (const std::optional<AddedRamps> &one : found)
-            if (one && (!worst || one->slope * worst->alone > worst->slope * one->alone))
-                worst = one;
-        return worst;
+        RampsByBoundaries worst;
+        for (const RampsByBoundaries &one : found)
+            for (const auto &[boundaries, place] : one)
+                keep_worse(worst, boundaries, place);
+        std::vector<AddedRamps> places;
+        for (const auto &[boundaries, place] : worst)
+            places.push_back(place);
+        std::stable_sort(places.begin(), places.end(), [](const AddedRamps &a, const AddedRamps &b) {
+            return a.slope * b.alone > b.slope * a.alone;
+        });
+        return places;
     }
 
-    //! Where one surface is steepest, if that comes of several ramps together.
-    [[nodiscard]] std::optional<AddedRamps> added(const Recipe &recipe, const BaseSurface &base) const
+    using RampsByBoundaries = std::map<std::set<std::string>, AddedRamps>;
+
+    static void keep_worse(RampsByBoundaries &worst, const std::set<std::string> &boundaries, const AddedRamps &place)
     {
-        SteepPlace steepest;
-        for (const std::size_t region : recipe.regions)
-            if (const SteepPlace place = steepest_place(base, *recipe.varying, m_inside[region]);
-                place.slope > steepest.slope)
-                steepest = place;
-        AddedRamps added{steepest.slope, 0.0, steepest.uv, 0.0, {}};
+        const auto [known, is_new] = worst.emplace(boundaries, place);
+        if (!is_new && place.slope * known->second.alone > known->second.slope * place.alone)
+            known->second = place;
+    }
+
+    //! Where one surface is steep because several ramps lie over each other.
+    [[nodiscard]] RampsByBoundaries added(const Recipe &recipe, const BaseSurface &base) const
+    {
+        std::vector<ActingRamp> ramps;
+        double least = std::numeric_limits<double>::max();
         for (const auto &[ply, thickness] : recipe.ramps)
         {
             const LaidPly &laid = m_stacking.plies[ply];
             const Share &share = m_shares.at({laid.region, laid.ramp}).value();
             const double height = std::abs(thickness);
-            if (height * slope_at(base, share.spline, steepest.uv) < acting_part * steepest.slope)
-                continue;
-            added.plies.push_back(ply);
-            added.alone = std::max({added.alone, height * share.ramp.steepest, height / laid.ramp});
-            added.longest = std::max(added.longest, share.ramp.length);
+            const double alone = std::max(height * share.ramp.steepest, height / laid.ramp);
+            ramps.push_back({ply, share.spline.as_surface(), height, alone, share.ramp.length});
+            least = std::min(least, alone);
         }
-        if (added.plies.size() < 2 || !(added.slope > most_alone * added.alone))
-            return std::nullopt;
+        RampsByBoundaries worst;
+        for (const std::size_t region : recipe.regions)
+            for (const SteepPlace &place : steep_places(base, *recipe.varying, m_inside[region], most_alone * least))
+            {
+                const AddedRamps here = acting_at(place, ramps, base);
+                if (here.plies.size() < 2 || !(here.slope > most_alone * here.alone))
+                    continue;
+                std::set<std::string> boundaries;
+                for (const std::size_t ply : here.plies)
+                    boundaries.insert(m_regions[m_stacking.plies[ply].region].name);
+                keep_worse(worst, boundaries, here);
+            }
+        return worst;
+    }
+
+    struct ActingRamp
+    {
+        std::size_t ply;
+        TensorSpline share;
+        double height; //!< [mm]
+        double alone;  //!< slope of it alone, or the one that was asked for
+        double length; //!< [mm]
+    };
+
+    static AddedRamps acting_at(const SteepPlace &place, const std::vector<ActingRamp> &ramps, const BaseSurface &base)
+    {
+        AddedRamps added{place.slope, 0.0, place.uv, 0.0, {}};
+        for (const ActingRamp &ramp : ramps)
+            if (ramp.height * slope_at(base, ramp.share, place.uv) >= acting_part * place.slope)
+            {
+                added.plies.push_back(ramp.ply);
+                added.alone = std::max(added.alone, ramp.alone);
+                added.longest = std::max(added.longest, ramp.length);
+            }
         return added;
     }
 
@@ -331,7 +374,7 @@ private:
         return surfaces;
     }
 
-    //! A failure of the fit, or the reason for it where the face ends in a point.
+    //! A failure of the fit, with the reason for it where the face ends in a point.
     [[nodiscard]] Failure beside_a_tip(const Failure &failure) const
     {
         if (failure.status == Status::ToleranceNotReached || failure.status == Status::SingularNormal)
@@ -339,8 +382,11 @@ private:
                 for (const TrimmingCurve &curve : loop.curves)
                     if (curve.degenerated)
                         return {Status::NotSupported, Stage::Surface,
-                                "The face ends in a point, up to which surfaces over ramps cannot be proven; cut the "
-                                "tip off the face, or lay the plies with boundaries on a part of the face without it.",
+                                fmt::format("The face ends in a point, where its normal has no proven bound, and so "
+                                            "surfaces over ramps have none up to it; cut the tip off the face, or lay "
+                                            "the plies with boundaries on a part of the face without it. The fit "
+                                            "said: {}",
+                                            failure.message),
                                 m_input.place(curve.pcurve->Value(0.5 * (curve.first + curve.last))), std::nullopt};
         return failure;
     }

@@ -66,7 +66,8 @@ struct PlyLevels
     std::vector<PlyLevel> middle;              //!< one for each ply, where asked for
     std::vector<LoopRegion> inside;            //!< of each region, its edges in short pieces
     std::vector<std::optional<PlyRamp>> ramps; //!< of each ply; empty where no ply above needs one
-    std::optional<AddedRamps> added;           //!< the worst place; empty where ramps keep out of each other's way
+    //! The worst place for every set of boundaries whose ramps lie over each other, the worst one first.
+    std::vector<AddedRamps> added;
 
     //! The bottom (0) and the top (1) of a ply, or bottom (0), middle (1) and top (2).
     [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;

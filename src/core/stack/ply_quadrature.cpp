@@ -126,14 +126,12 @@ PlyIntegrals placed(const LayerIntegrand::Integral &total, const LayerIntegrand 
     return result;
 }
 
-Result<PlyIntegrals> integrate_varying(const InputFace &region, const BaseSurface &base, const PlyLayer &layer)
+PlyIntegrals integrate_varying(const InputFace &region, const BaseSurface &base, const PlyLayer &layer)
 {
-    const Result<std::vector<FaceStrip>> strips = face_strips(region, merged(base.interval_ends_u(), layer.bottom.u),
-                                                              merged(base.interval_ends_v(), layer.bottom.v));
-    if (!strips)
-        return strips.failure();
+    const std::vector<FaceStrip> strips = face_strips(region, merged(base.interval_ends_u(), layer.bottom.u),
+                                                      merged(base.interval_ends_v(), layer.bottom.v));
     const LayerIntegrand integrand(region, base, layer);
-    return placed(over_strips(integrand, strips.value()), integrand, region);
+    return placed(over_strips(integrand, strips), integrand, region);
 }
 
 PlyIntegrals at_constant(const InputFace &region, const FaceIntegrals &face, const PlyLayer &layer)
@@ -148,7 +146,7 @@ PlyIntegrals at_constant(const InputFace &region, const FaceIntegrals &face, con
 
 } // namespace
 
-Result<std::vector<PlyIntegrals>> integrate_plies(const InputFace &region, const std::vector<PlyLayer> &layers)
+std::vector<PlyIntegrals> integrate_plies(const InputFace &region, const std::vector<PlyLayer> &layers)
 {
     const BaseSurface base(region.surface, fit_box(region));
     std::optional<FaceIntegrals> face;
@@ -158,19 +156,11 @@ Result<std::vector<PlyIntegrals>> integrate_plies(const InputFace &region, const
         if (layer.bottom.low() == layer.bottom.high())
         {
             if (!face)
-            {
-                const Result<FaceIntegrals> found = integrate_face(region);
-                if (!found)
-                    return found.failure();
-                face = found.value();
-            }
+                face = integrate_face(region);
             result.push_back(at_constant(region, *face, layer));
-            continue;
         }
-        const Result<PlyIntegrals> varying = integrate_varying(region, base, layer);
-        if (!varying)
-            return varying.failure();
-        result.push_back(varying.value());
+        else
+            result.push_back(integrate_varying(region, base, layer));
     }
     return result;
 }

@@ -36,7 +36,6 @@ struct PlyIntegrals
 };
 
 //! The figures of layers that cover one region, in their order. Layers at constant distances share one quadrature.
-//! Refusal: InvalidFace where a loop does not close in the surface's parameters.
-Result<std::vector<PlyIntegrals>> integrate_plies(const InputFace &region, const std::vector<PlyLayer> &layers);
+std::vector<PlyIntegrals> integrate_plies(const InputFace &region, const std::vector<PlyLayer> &layers);
 
 } // namespace laminate_offset

@@ -110,6 +110,11 @@ private:
     std::vector<double> m_distances;
 };
 
+// Shares of a ply's thickness that differ by less are equal.
+constexpr double same_share = 1e-9;
+
+bool differ(double a, double b) { return std::abs(a - b) > same_share; }
+
 //! Is the surface one and the same at both ends of a direction of the box?
 bool closed(const Geom_Surface &surface, const ParameterBox &box, bool along_u, double size)
 {
@@ -130,10 +135,8 @@ bool closed(const Geom_Surface &surface, const ParameterBox &box, bool along_u, 
 //! Does the share run on smoothly across a seam? Its knots know nothing of what lies on the other side.
 bool torn_at_seam(const ScalarSpline &share, const InputFace &input, const ParameterBox &box)
 {
-    constexpr double same = 1e-9;
     const int rows = share.u.pole_count();
     const int columns = share.v.pole_count();
-    const auto differ = [](double a, double b) { return std::abs(a - b) > same; };
     bool torn = false;
     if (closed(*input.surface, box, true, input.diagonal))
         for (int j = 0; j < columns; ++j)
@@ -177,7 +180,7 @@ bool torn_at_tip(const ScalarSpline &share, const InputFace &input, const Parame
             const int across = along_u ? (at_end ? columns - 1 : 0) : (at_end ? rows - 1 : 0);
             const auto pole = [&](int k) { return along_u ? share.pole(k, across) : share.pole(across, k); };
             for (int k = 1; k < (along_u ? rows : columns); ++k)
-                if (pole(k) != pole(0))
+                if (differ(pole(k), pole(0)))
                     return true;
         }
     return false;

@@ -57,12 +57,13 @@ SteepPlace steepest_in(const BaseSurface &base, const TensorSpline &share, const
 
 } // namespace
 
-SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
+std::vector<SteepPlace> steep_places(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside,
+                                     double least)
 {
     const std::vector<double> us = share.u.breaks();
     const std::vector<double> vs = share.v.breaks();
     const TensorSpline values = share.as_surface();
-    SteepPlace steepest;
+    std::vector<SteepPlace> places;
     for (std::size_t k = 0; k + 1 < us.size(); ++k)
         for (std::size_t l = 0; l + 1 < vs.size(); ++l)
         {
@@ -70,15 +71,24 @@ SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, co
             if (level_on(share, us[k], vs[l]) || !inside.may_touch(span))
                 continue;
             const SteepPlace here = steepest_in(base, values, inside, span);
-            if (here.slope > steepest.slope)
-                steepest = here;
+            if (here.slope > least)
+                places.push_back(here);
         }
+    return places;
+}
+
+SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside)
+{
+    SteepPlace steepest;
+    for (const SteepPlace &place : steep_places(base, share, inside, 0.0))
+        if (place.slope > steepest.slope)
+            steepest = place;
     return steepest;
 }
 
-double slope_at(const BaseSurface &base, const ScalarSpline &share, const gp_Pnt2d &uv)
+double slope_at(const BaseSurface &base, const TensorSpline &share, const gp_Pnt2d &uv)
 {
-    return slope(base.jets({uv.X()}, {uv.Y()}, 1).front(), share.as_surface().jets({uv.X()}, {uv.Y()}, 1).front());
+    return slope(base.jets({uv.X()}, {uv.Y()}, 1).front(), share.jets({uv.X()}, {uv.Y()}, 1).front());
 }
 
 } // namespace laminate_offset

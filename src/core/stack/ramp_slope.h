@@ -9,6 +9,8 @@
 
 #include <gp_Pnt2d.hxx>
 
+#include <vector>
+
 namespace laminate_offset
 {
 
@@ -22,7 +24,12 @@ struct SteepPlace
 //! The largest slope of a share or of a distance along the surface, seen at places inside; 0 where it is level.
 SteepPlace steepest_place(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside);
 
+//! The same for every span of the share's knots on its own: the steepest place of each that is steeper than `least`.
+std::vector<SteepPlace> steep_places(const BaseSurface &base, const ScalarSpline &share, const LoopRegion &inside,
+                                     double least);
+
 //! The slope at one place.
-double slope_at(const BaseSurface &base, const ScalarSpline &share, const gp_Pnt2d &uv);
+//! \param share as ScalarSpline::as_surface gives it.
+double slope_at(const BaseSurface &base, const TensorSpline &share, const gp_Pnt2d &uv);
 
 } // namespace laminate_offset

@@ -56,6 +56,32 @@ double rounding(const OffsetFamily &family)
     return rounding_operations * epsilon * largest;
 }
 
+//! Largest distance seen on a grid over the loops' box between the ends of a sphere's family and the exact offset [mm].
+double seen_on_sphere(const OffsetFamily &family, const Geom_SphericalSurface &sphere, double radius,
+                      const ParameterBox &box)
+{
+    constexpr int grid = 24;
+    const Eigen::Vector3d centre = vector(sphere.Location().XYZ());
+    std::vector<double> us, vs;
+    for (int i = 0; i <= grid; ++i)
+    {
+        us.push_back(box.umin + (box.umax - box.umin) * i / grid);
+        vs.push_back(box.vmin + (box.vmax - box.vmin) * i / grid);
+    }
+    double largest = 0.0;
+    for (const double distance : {family.low, family.high})
+    {
+        const std::vector<SurfaceJet> jets = family.at(distance).jets(us, vs, 0);
+        for (std::size_t k = 0; k < jets.size(); ++k)
+        {
+            const Eigen::Vector3d on_base = vector(sphere.Value(us[k / vs.size()], vs[k % vs.size()]).XYZ());
+            const Eigen::Vector3d exact = centre + (1.0 + distance / radius) * (on_base - centre);
+            largest = std::max(largest, (jets[k].s - exact).norm());
+        }
+    }
+    return largest;
+}
+
 //! Of a sphere, S + d N = C + (1 + d / r) (S - C), with r the radius, below zero where S_u x S_v points inwards. So the
 //! family of the spline that stands for S is known, and its error is the spline's, (1 + d / r) times as large: also at
 //! poles, where a fit of normals has no proof.
@@ -85,7 +111,7 @@ std::optional<OffsetFamily> sphere_family(const SurfaceAnalysis &analysis, const
     if (!(bound <= tolerance))
         return std::nullopt;
     family.certified_error = bound;
-    family.sampled_error = bound;
+    family.sampled_error = seen_on_sphere(family, *sphere, radius, input.box);
     return family;
 }
 

@@ -260,11 +260,18 @@ std::optional<Where> touching_place(const InputFace &input)
     constexpr double near = 1e-9;
     const double reach_u = near * (input.box.umax - input.box.umin);
     const double reach_v = near * (input.box.vmax - input.box.vmin);
+    const auto tiny = [&](const TrimmingCurve &curve) { // its neighbours all but meet, and touch nothing
+        return std::all_of(curve.pieces.begin(), curve.pieces.end(), [&](const PcurvePiece &piece) {
+            const gp_Pnt2d start = curve.pieces.front().start;
+            return piece.box.umax - start.X() <= reach_u && start.X() - piece.box.umin <= reach_u &&
+                   piece.box.vmax - start.Y() <= reach_v && start.Y() - piece.box.vmin <= reach_v;
+        });
+    };
     std::vector<gp_Pnt2d> starts;
     for (const TrimmingLoop &loop : input.loops)
         for (const TrimmingCurve &curve : loop.curves)
         {
-            if (!curve.bounds_face())
+            if (!curve.bounds_face() || tiny(curve))
                 continue;
             const gp_Pnt2d start = start_of(curve);
             for (const gp_Pnt2d &other : starts)

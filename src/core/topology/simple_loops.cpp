@@ -50,6 +50,7 @@ struct Arc
 
     explicit Arc(ControlPoints controls) : weighted(std::move(controls))
     {
+        points.reserve(weighted.size());
         for (const Eigen::Vector3d &p : weighted)
         {
             points.emplace_back(p.head<2>() / p.z());
@@ -112,6 +113,7 @@ bool hulls_apart(const Arc &a, const Arc &b, double least)
 Points seen_from(const Eigen::Vector2d &end, const Points &points)
 {
     Points directions;
+    directions.reserve(points.size());
     for (const Eigen::Vector2d &p : points)
         if (const double distance = (p - end).norm(); distance > 0.0)
             directions.emplace_back((p - end) / distance);
@@ -123,6 +125,12 @@ struct Loop
 {
     std::vector<Arc> arcs;
     std::vector<double> gaps;
+
+    void reserve(std::size_t count)
+    {
+        arcs.reserve(count);
+        gaps.reserve(count);
+    }
 };
 
 class LoopProver
@@ -156,26 +164,28 @@ private:
     static bool cut_to_run_on(Loop &loop)
     {
         Loop cut;
+        cut.reserve(loop.arcs.size());
+        const int least_depth = loop.arcs.size() < least_pieces ? 2 : 0;
         for (std::size_t i = 0; i < loop.arcs.size(); ++i)
-            if (!add_running(loop.arcs[i], loop.gaps[i], loop.arcs.size() < least_pieces ? 2 : 0, 0, cut))
+            if (!add_running(std::move(loop.arcs[i]), loop.gaps[i], least_depth, 0, cut))
                 return false;
         loop = std::move(cut);
         return true;
     }
 
-    static bool add_running(const Arc &arc, double gap, int least_depth, int depth, Loop &cut)
+    static bool add_running(Arc arc, double gap, int least_depth, int depth, Loop &cut)
     {
         if (depth > deepest)
             return false;
         if (depth >= least_depth && arc.runs_on())
         {
-            cut.arcs.push_back(arc);
+            cut.arcs.push_back(std::move(arc));
             cut.gaps.push_back(gap);
             return true;
         }
-        const auto [before, after] = arc.halves();
-        return add_running(before, gap, least_depth, depth + 1, cut) &&
-               add_running(after, 0.0, least_depth, depth + 1, cut);
+        auto [before, after] = arc.halves();
+        return add_running(std::move(before), gap, least_depth, depth + 1, cut) &&
+               add_running(std::move(after), 0.0, least_depth, depth + 1, cut);
     }
 
     bool meets_itself_at_joints_only(const Loop &loop)
@@ -281,6 +291,7 @@ private:
             if (std::abs(area) > doubt)
                 return area;
             std::vector<Arc> finer;
+            finer.reserve(2 * arcs.size());
             for (const Arc &arc : arcs)
             {
                 auto [before, after] = arc.halves();
@@ -462,6 +473,10 @@ private:
     [[nodiscard]] Loop scaled(const std::vector<PlainEdge> &edges, const Eigen::Vector2d &scale) const
     {
         Loop loop;
+        std::size_t count = 0;
+        for (const PlainEdge &edge : edges)
+            count += edge.pieces.size();
+        loop.reserve(count);
         for (const PlainEdge &edge : edges)
         {
             const double stretch = m_caution * edge.speed.cwiseQuotient(scale).maxCoeff();

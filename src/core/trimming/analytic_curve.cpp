@@ -287,6 +287,50 @@ CurveReach CurvePiece::reach(double rho) const
     return reach;
 }
 
+CurveRange CurvePiece::range() const
+{
+    using Kind = AnalyticCurve::Kind;
+    if (m_curve->m_kind == Kind::Circular)
+        return arc_range();
+    if (m_curve->m_kind == Kind::Hyperbolic)
+    {
+        const Eigen::Vector3d total = conic_reach(1.0).total;
+        return {m_middle - total, m_middle + total};
+    }
+    CurveRange range{Eigen::Vector3d::Constant(infinity), Eigen::Vector3d::Constant(-infinity)};
+    for (int i = 0; i <= m_degree; ++i)
+    {
+        const Eigen::Vector4d &c = m_coefficients[static_cast<std::size_t>(i)];
+        if (!(c.w() > 0.0))
+            return {Eigen::Vector3d::Constant(-infinity), Eigen::Vector3d::Constant(infinity)};
+        const Eigen::Vector3d point = c.head<3>() / c.w();
+        range.low = range.low.cwiseMin(point);
+        range.high = range.high.cwiseMax(point);
+    }
+    return range;
+}
+
+CurveRange CurvePiece::arc_range() const
+{
+    const Eigen::Vector3d start = m_curve->value_on(m_span, m_a);
+    const Eigen::Vector3d end = m_curve->value_on(m_span, m_b);
+    CurveRange range{start.cwiseMin(end), start.cwiseMax(end)};
+    for (int e = 0; e < 3; ++e)
+    {
+        // cosine and sine sum to a wave, which has a crest or a trough at every half turn
+        const double amplitude = std::hypot(m_curve->m_a1[e], m_curve->m_a2[e]);
+        const double crest = std::atan2(m_curve->m_a2[e], m_curve->m_a1[e]);
+        const auto passes = [&](double place) {
+            return place + 2.0 * M_PI * std::ceil((m_a - place) / (2.0 * M_PI)) <= m_b;
+        };
+        if (passes(crest))
+            range.high[e] = m_curve->m_a0[e] + amplitude;
+        if (passes(crest + M_PI))
+            range.low[e] = m_curve->m_a0[e] - amplitude;
+    }
+    return range;
+}
+
 std::optional<int> CurvePiece::degree(int coordinate, double slack) const
 {
     using Kind = AnalyticCurve::Kind;

@@ -34,6 +34,13 @@ struct CurveReach
     double stretch = 1.0;  //!< (rho + 1 / rho) / 2
 };
 
+//! The least and largest value of each coordinate.
+struct CurveRange
+{
+    Eigen::Vector3d low;
+    Eigen::Vector3d high;
+};
+
 //! A curve on an interval where it is one analytic function.
 class CurvePiece
 {
@@ -53,6 +60,10 @@ public:
     //! How far the curve strays for parameters inside the ellipse; rho = 1 is the interval itself.
     [[nodiscard]] CurveReach reach(double rho) const;
 
+    //! Bounds of the coordinates over the interval, up to rounding(): a curve that runs away from its end does not
+    //! reach beyond it, as a bound about the middle would have it.
+    [[nodiscard]] CurveRange range() const;
+
     //! Degree of the polynomial that one coordinate is up to `slack`; nothing where it is none.
     [[nodiscard]] std::optional<int> degree(int coordinate, double slack) const;
 
@@ -65,6 +76,7 @@ private:
     void fill_coefficients();
     void prepare_conic();
     [[nodiscard]] CurveReach conic_reach(double rho) const;
+    [[nodiscard]] CurveRange arc_range() const;
 
     const AnalyticCurve *m_curve;
     double m_a;

@@ -52,6 +52,7 @@ private:
         CurvePiece pcurve;
         CurvePiece curve;
         CurveReach reach;
+        CurveRange range;
         AnalyticSurface::Cell cell;
         double speed[2];    //!< of the surface
         double straying[2]; //!< how far the pcurve may go over the cell's ends, times the speed [mm]
@@ -59,16 +60,18 @@ private:
 
     [[nodiscard]] Interval interval(double a, double b) const
     {
-        Interval result{CurvePiece(m_proof.pcurve, a, b), CurvePiece(m_proof.curve, a, b), {}, {}, {}, {}};
+        Interval result{CurvePiece(m_proof.pcurve, a, b), CurvePiece(m_proof.curve, a, b), {}, {}, {}, {}, {}};
         const Eigen::Vector3d &middle = result.pcurve.middle();
         result.reach = result.pcurve.reach(1.0);
+        result.range = result.pcurve.range();
+        const Eigen::Vector3d &slack = result.pcurve.rounding();
         result.cell = m_proof.surface.cell_at(middle.x(), middle.y());
         for (int direction = 0; direction < 2; ++direction)
         {
             result.speed[direction] = m_proof.surface.speed(direction, std::abs(middle.y()) + result.reach.total.y());
             const AnalyticSurface::Ends ends = m_proof.surface.ends(result.cell, direction);
-            const double over = std::max({0.0, ends.low - middle[direction] + result.reach.total[direction],
-                                          middle[direction] + result.reach.total[direction] - ends.high});
+            const double over = slack[direction] + std::max({-slack[direction], ends.low - result.range.low[direction],
+                                                             result.range.high[direction] - ends.high});
             result.straying[direction] = straying_bound(over, ends) * result.speed[direction];
         }
         return result;
@@ -89,9 +92,9 @@ private:
         if (depth > deepest || ++m_intervals > most_intervals)
             return infinity;
         const Interval here = interval(a, b);
-        if (overhang(here.pcurve.middle(), Eigen::Vector3d::Zero()) > 0.0)
+        if (overhang({here.pcurve.middle(), here.pcurve.middle()}) > 0.0)
             return infinity;
-        const bool hangs_over = overhang(here.pcurve.middle(), here.reach.total) > 0.0;
+        const bool hangs_over = overhang(here.range) > 0.0;
         const double straying = here.straying[0] + here.straying[1];
         const Eigen::Vector3d &slack = here.pcurve.rounding();
         const bool strays = straying > std::max(straying_share * m_proof.target,
@@ -107,13 +110,13 @@ private:
     }
 
     //! How far a box reaches out of the surface's domain beyond what is admissible.
-    [[nodiscard]] double overhang(const Eigen::Vector3d &uv, const Eigen::Vector3d &reach) const
+    [[nodiscard]] double overhang(const CurveRange &box) const
     {
         double over = 0.0;
         for (int direction = 0; direction < 2; ++direction)
         {
             const AnalyticSurface::Ends domain = m_proof.surface.domain(direction);
-            const double outside = std::max(domain.low - uv[direction], uv[direction] - domain.high) + reach[direction];
+            const double outside = std::max(domain.low - box.low[direction], box.high[direction] - domain.high);
             over = std::max(over, outside - admissible_overhang * (domain.high - domain.low));
         }
         return over;
@@ -124,9 +127,8 @@ private:
     {
         const int direction = here.straying[0] >= here.straying[1] ? 0 : 1;
         const AnalyticSurface::Ends ends = m_proof.surface.ends(here.cell, direction);
-        const double middle = here.pcurve.middle()[direction];
-        const double reach = here.reach.total[direction];
-        const double knot = ends.low - middle + reach > middle + reach - ends.high ? ends.low : ends.high;
+        const bool below = ends.low - here.range.low[direction] > here.range.high[direction] - ends.high;
+        const double knot = below ? ends.low : ends.high;
         const auto height = [&](double t) { return here.pcurve.value(t)[direction] - knot; };
         double a = here.pcurve.a();
         double b = here.pcurve.b();

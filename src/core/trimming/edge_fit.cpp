@@ -24,12 +24,53 @@ constexpr int common_samples_per_interval = 3;
 // Counts move by the error's law and a little more, or by this factor at most; below the last one they are not worth
 // another fit.
 constexpr double cautious = 1.02;
-constexpr double fastest_growth = 2.0;
+constexpr double fastest_growth = 3.0;
 constexpr double least_gain = 0.95;
+// A search among counts that another degree needs is given up at errors above this many tolerances.
+constexpr double hopeful = 4.0;
 // A curve whose error does not fall by this order at least is not smooth enough.
 constexpr double least_order = 3.0;
 // No part of the range gets knots more thinly than this part of the average.
 constexpr double least_density = 0.1;
+
+//! Counts of spans that are known to be too few and to be enough, with the errors there in tolerances.
+struct SpanBracket
+{
+    int degree = 0;
+    int too_few = 0;
+    int enough = 0; //!< 0: not known yet
+    double excess_of_few = 0.0;
+    double excess_of_enough = 0.0;
+
+    void add(int spans, double excess)
+    {
+        (excess <= 1.0 ? enough : too_few) = spans;
+        (excess <= 1.0 ? excess_of_enough : excess_of_few) = excess;
+        if (enough > 0 && order() > 2.0 * (degree + 1)) // knots were badly placed when the lower count failed
+            too_few = 0;
+    }
+
+    //! The count to try after this one: by the law of the error, and between two counts by the law that they show.
+    [[nodiscard]] int next(int spans, double excess) const
+    {
+        const double wanted = std::ceil(cautious * std::pow(excess, 1.0 / (degree + 1)) * spans);
+        if (enough == 0)
+            return static_cast<int>(std::clamp(wanted, spans + 1.0, fastest_growth * spans));
+        if (excess <= 1.0)
+            return std::max(static_cast<int>(wanted), too_few + 1);
+        const double between = std::ceil(cautious * std::pow(excess, 1.0 / std::max(order(), 1.0)) * spans);
+        return static_cast<int>(std::min(between, 0.5 * (too_few + enough + 1)));
+    }
+
+private:
+    //! The power of the count that the error falls by from one to the other; 0 where only one is known.
+    [[nodiscard]] double order() const
+    {
+        return too_few == 0 || enough == 0
+                   ? 0.0
+                   : std::log(excess_of_few / excess_of_enough) / std::log(static_cast<double>(enough) / too_few);
+    }
+};
 
 //! The fit over some knots, with the distance at every sample.
 struct Sampled
@@ -89,8 +130,8 @@ public:
     {
         if (curve.breaks.size() <= 2)
             return;
-        m_common.parameters = chebyshev_parameters(curve.breaks, common_samples_per_interval);
-        m_common.points = curve.sample(m_common.parameters);
+        m_samples.parameters = chebyshev_parameters(curve.breaks, common_samples_per_interval);
+        m_samples.points = curve.sample(m_samples.parameters);
     }
 
     std::optional<CurveFit> run()
@@ -98,60 +139,61 @@ public:
         for (int degree = lowest_degree; degree <= highest_degree; ++degree)
             if (auto plain = fit(degree, {}); plain && plain->error <= m_tolerance)
                 return plain;
-        std::optional<CurveFit> best = spread(highest_degree, most_poles);
+        std::optional<CurveFit> best = spread(highest_degree, most_poles, nullptr);
         for (int degree = highest_degree - 1; best && degree >= lowest_degree; --degree)
-            if (auto lower = spread(degree, best->knots.pole_count()))
-                best = std::move(lower);
+        {
+            std::optional<CurveFit> lower = spread(degree, best->knots.pole_count(), &*best);
+            if (!lower)
+                break; // a still lower degree would need more poles again
+            best = std::move(lower);
+        }
         return best;
     }
 
 private:
-    [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior) const
+    [[nodiscard]] std::optional<CurveFit> fit(int degree, const std::vector<double> &interior)
     {
         const KnotVector knots = clamped_knots(degree, m_curve.breaks.front(), m_curve.breaks.back(), interior);
-        std::optional<Sampled> made =
-            m_common.serve(knots) ? fit_over(m_common, knots) : fit_over(dense_samples(m_curve, knots), knots);
+        if (!m_samples.serve(knots))
+            m_samples = dense_samples(m_curve, knots);
+        std::optional<Sampled> made = fit_over(m_samples, knots);
         return made ? std::optional<CurveFit>(std::move(made->fit)) : std::nullopt;
     }
 
     //! Fits with more or fewer knots, each time better placed, until the count fits the tolerance.
     //! \param bar as many poles are too many.
-    [[nodiscard]] std::optional<CurveFit> spread(int p, int bar) const
+    //! \param guide a fit of another degree: its knots tell where many are needed, and the search begins right below the bar.
+    [[nodiscard]] std::optional<CurveFit> spread(int p, int bar, const CurveFit *guide)
     {
         std::optional<CurveFit> best;
-        int spans = first_spans;
-        int too_few = 0;
-        int enough = bar;
-        double admissible = std::numeric_limits<double>::infinity();
+        const int most = bar - 1 - p;
+        int spans = guide ? most : first_spans;
+        SpanBracket bracket{p};
+        double admissible = guide ? hopeful * m_tolerance : std::numeric_limits<double>::infinity();
         std::vector<double> density(1, 1.0);
         std::vector<double> breaks{m_curve.breaks.front(), m_curve.breaks.back()};
-        for (int i = 0; i < most_fits && spans + p < bar; ++i)
+        if (guide)
+        {
+            density = knot_density(*guide);
+            breaks = guide->knots.breaks();
+        }
+        for (int i = 0; i < most_fits && spans >= 1 && spans <= most; ++i)
         {
             std::optional<CurveFit> trial = fit(p, even_knots(breaks, density, spans));
             if (!trial)
                 return best;
-            const double law = std::pow(trial->error / m_tolerance, 1.0 / (p + 1));
-            const int wanted = static_cast<int>(std::ceil(cautious * law * spans));
+            const double excess = trial->error / m_tolerance;
             density = knot_density(*trial);
             breaks = trial->knots.breaks();
-            int next = 0;
-            if (trial->error <= m_tolerance)
-            {
+            bracket.add(spans, excess);
+            if (excess > 1.0 && trial->error > admissible && !best)
+                return best;
+            const int next = bracket.next(spans, excess);
+            if (excess <= 1.0)
                 best = std::move(trial);
-                enough = spans;
-                next = std::max(wanted, too_few + 1);
-            }
-            else
-            {
-                if (trial->error > admissible && !best)
-                    return best;
-                too_few = spans;
-                next = best ? (too_few + enough + 1) / 2
-                            : std::clamp(wanted, spans + 1, static_cast<int>(fastest_growth * spans));
-                if (i > 0)
-                    admissible = trial->error * std::pow(static_cast<double>(spans) / next, least_order);
-            }
-            if (best && next > least_gain * enough)
+            else if (i > 0 || guide)
+                admissible = trial->error * std::pow(static_cast<double>(spans) / next, least_order);
+            if (best && next > least_gain * bracket.enough)
                 return best;
             spans = next;
         }
@@ -217,7 +259,7 @@ private:
 
     const SmoothCurve &m_curve;
     double m_tolerance;
-    Samples m_common;
+    Samples m_samples; //!< of the last fit that needed more of them
 };
 
 constexpr int most_joined_poles = 2000;

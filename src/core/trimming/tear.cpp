@@ -14,7 +14,6 @@ namespace
 // A polynomial of degree n is nowhere larger than 1 / cos(pi n / (2 N)) times its largest value at N Chebyshev points
 // (edge_certificate.h): 1.005 here.
 constexpr int points_per_degree = 16;
-constexpr int kind_samples = 64;
 
 //! The polynomial difference of two curves between their knots.
 std::optional<double> largest_difference(const CurvePiece &a, const CurvePiece &b)
@@ -77,52 +76,13 @@ std::optional<double> bound_through_surface(const OffsetEdge &one, const OffsetP
     return deviation.bound + other.deviation.bound;
 }
 
-//! The direction in the surface that leads out of the face across an edge, of length 1 or zero.
-gp_Vec outwards(const OffsetPart &part, const OffsetEdge &edge, bool reversed, double t)
-{
-    gp_Pnt2d uv;
-    gp_Vec2d along;
-    edge.pcurve->D1(t, uv, along);
-    gp_Pnt point;
-    gp_Vec du, dv;
-    part.surface.geometry->D1(uv.X(), uv.Y(), point, du, dv);
-    gp_Vec out = (along.X() * du + along.Y() * dv).Crossed(du.Crossed(dv));
-    if (out.Magnitude() > 0.0)
-        out.Normalize();
-    return reversed ? -out : out;
-}
-
 //! An edge of the base in two of its parts.
 struct SharedEdge
 {
-    const OffsetPart &part;
     const OffsetEdge &edge;
-    bool reversed = false;
     const OffsetPart &other_part;
     const OffsetEdge &other;
-    bool other_reversed = false;
 };
-
-struct Kinds
-{
-    bool gap = false;
-    bool overlap = false;
-};
-
-//! The sides of a gap have moved outwards, those of an overlap inwards.
-void note_kinds(const SharedEdge &shared, double tolerance, Kinds &kinds)
-{
-    for (int i = 0; i <= kind_samples; ++i)
-    {
-        const double t = shared.edge.first + (shared.edge.last - shared.edge.first) * i / kind_samples;
-        const gp_Vec across(shared.edge.curve->Value(t), shared.other.curve->Value(t));
-        if (across.Magnitude() <= 0.5 * tolerance)
-            continue;
-        const gp_Vec apart = outwards(shared.part, shared.edge, shared.reversed, t) -
-                             outwards(shared.other_part, shared.other, shared.other_reversed, t);
-        (across.Dot(apart) > 0.0 ? kinds.gap : kinds.overlap) = true;
-    }
-}
 
 std::vector<SharedEdge> shared_edges(const std::vector<OffsetPart> &parts)
 {
@@ -137,30 +97,24 @@ std::vector<SharedEdge> shared_edges(const std::vector<OffsetPart> &parts)
                 const OffsetEdge &edge = parts[i].loops.edges[static_cast<std::size_t>(k) - 1];
                 const OffsetEdge &other = parts[j].loops.edges[static_cast<std::size_t>(l) - 1];
                 if (!edge.curve.IsNull() && !other.curve.IsNull())
-                    shared.push_back({parts[i], edge, parts[i].loops.bases(k).Orientation() == TopAbs_REVERSED,
-                                      parts[j], other, parts[j].loops.bases(l).Orientation() == TopAbs_REVERSED});
+                    shared.push_back({edge, parts[j], other});
             }
     return shared;
 }
 
 } // namespace
 
-Tear measure_tear(const std::vector<OffsetPart> &parts, double tolerance)
+std::optional<double> tear_width(const std::vector<OffsetPart> &parts, double tolerance)
 {
-    Tear tear;
-    tear.width = 0.0;
-    Kinds kinds;
+    std::optional<double> widest = 0.0;
     for (const SharedEdge &shared : shared_edges(parts))
     {
         std::optional<double> width = distance_bound(shared.edge, shared.other);
         if (!width)
             width = bound_through_surface(shared.edge, shared.other_part, shared.other, tolerance);
-        tear.width = width && tear.width ? std::optional<double>(std::max(*width, *tear.width)) : std::nullopt;
-        note_kinds(shared, tolerance, kinds);
+        widest = width && widest ? std::optional<double>(std::max(*width, *widest)) : std::nullopt;
     }
-    if (kinds.gap || kinds.overlap)
-        tear.kind = !kinds.overlap ? CreaseKind::Gap : !kinds.gap ? CreaseKind::Overlap : CreaseKind::Both;
-    return tear;
+    return widest;
 }
 
 } // namespace laminate_offset

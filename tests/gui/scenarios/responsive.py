@@ -29,7 +29,7 @@ DATA = os.path.join(os.path.dirname(os.environ["LAMINATE_OFFSET_PROJECT_DIR"]), 
 #: File, first distance, another one that cancels it [mm]. The offset of bladex_lower has 6838 poles, that of the blade of iea15 8476.
 FACES = (("iea15_CFD.igs", "7 mm", "-5 mm"), ("bladex_lower.iges", "0.000001 mm", "-0.000002 mm"))
 LIMIT_S = 0.1
-WATCH_S = 25.0
+WATCH_S = 50.0
 ATTEMPTS = 3
 
 

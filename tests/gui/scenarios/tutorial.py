@@ -194,3 +194,9 @@ def fits(picture: str) -> None:
             assert child.mapToGlobal(child.rect().topRight()).x() <= right, f"{child.objectName()} is cut off"
             if isinstance(child, QtGui.QLabel) and not child.wordWrap():
                 assert child.width() >= child.sizeHint().width(), f"{child.text()!r} is cut off"
+            if isinstance(child, QtGui.QTreeWidget):
+                last = child.columnCount() - 1
+                end = child.header().sectionViewportPosition(last) + child.header().sectionSizeHint(last)
+                assert (
+                    end <= child.viewport().width()
+                ), f"columns are cut off: {end} > {child.viewport().width()} pixels"

@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 import Part
 
 from .. import _core
-from ..boundary_texts import boundaries_of, parse_drop_off, parse_side, parse_stagger
+from ..boundary_texts import boundaries_of, once, parse_drop_off, parse_side, parse_stagger
 from ..each_face import FaceOutcome, OffsetRequest, choose, kernel_error, offset_each, refusal_line
 from ..errors import OffsetError
 from ..files import read_faces, write_shape
@@ -92,7 +92,7 @@ def _bounding(task: Mapping[str, Any], paths: Mapping[str, str]) -> Dict[str, An
     if "drop_off" in task:
         options["drop_off"] = parse_drop_off(task["drop_off"])
     if "stagger" in task:
-        options["stagger"] = dict(parse_stagger(entry) for entry in task["stagger"])
+        options["stagger"] = once((parse_stagger(entry) for entry in task["stagger"]), "stagger")
     return {**options, **{name: task[name] for name in ("ramp_slope", "boundary_gap") if name in task}}
 
 

@@ -5,7 +5,7 @@ import argparse
 from typing import Any, Callable, Dict
 
 from ..boundaries import SIDES
-from ..boundary_texts import boundaries_of, parse_drop_off, parse_side, parse_stagger
+from ..boundary_texts import boundaries_of, once, parse_drop_off, parse_side, parse_stagger
 from ..stack import RAMP_SLOPES
 
 
@@ -57,7 +57,7 @@ def boundary_arguments(arguments: argparse.Namespace) -> Dict[str, Any]:
         "boundaries": boundaries_of(arguments.boundaries, arguments.side, "--side"),
         "drop_off": arguments.drop_off,
         "ramp_slope": arguments.ramp_slope,
-        "stagger": dict(arguments.stagger) or None,
+        "stagger": once(arguments.stagger, "--stagger") or None,
         "boundary_gap": arguments.boundary_gap,
     }
 

@@ -3,29 +3,30 @@
 
 import argparse
 import os
-from typing import Any, TextIO
+from typing import Any, Optional, TextIO
 
 from ..each_face import choose, refusal_line
 from ..errors import OffsetError
-from ..export import export_ply_book
+from ..export import export_calculix, export_composite_cae, export_ply_book
 from ..export.calculix import check_section
-from ..export.composite_cae import require_h5py
+from ..export.composite_cae import check_rosettes, require_h5py
 from ..export.fibres import ONE_ROSETTE
 from ..export.pictures import require_matplotlib
 from ..export.step import SCHEMAS
 from ..files import format_of, read_faces, write_json
 from ..layup import Layup, read_layup
 from ..replacing import FileError
-from ..rosette import check_one_rosette
+from ..rosette import Rosettes, check_none_named, check_one_rosette, rosette_of
 from ..stack import SURFACES, PlyStack, stack_plies
 from . import CANCELLED, DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
 from .bar import Bar
 from .boundaries import add_boundaries, boundary_arguments
 from .outputs import check_results
+from .rosettes import add_rosettes, rosettes_of
 
-# Options that write something else than shapes, and the endings of its file.
-TEXTS = {"book": ".html", "table": ".csv", "calculix": ".inp", "hdf5": ".h5"}
+# Options that write something else than shapes, and the endings that its file may have.
+TEXTS = {"book": (".html",), "table": (".csv",), "calculix": (".inp",), "hdf5": (".h5", ".hdf5")}
 
 
 def add_to(commands: Any) -> None:
@@ -52,6 +53,7 @@ def add_to(commands: Any) -> None:
     add("--table", metavar="PLIES.csv", help="write the table of the plies")
     add("--calculix", metavar="FILE.inp", help="write the section of a shell for CalculiX")
     add("--hdf5", metavar="FILE.h5", help="write the layup on meshes, in the layout HDF5 composite CAE")
+    add_rosettes(parser)
     add_report(parser, "the stack's report, with one entry for every ply,")
 
 
@@ -59,7 +61,8 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
     """Carries the command out."""
     _check_arguments(arguments)
     layup = read_layup(arguments.layup)
-    _check_layup(arguments, layup)
+    axes = rosettes_of(arguments, layup)
+    _check_layup(arguments, layup, axes)
     bounded = boundary_arguments(arguments)
     ((number, face),) = choose(read_faces(arguments.input), arguments.face, arguments.input)
     try:
@@ -80,7 +83,7 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
             write_json(refusal.report.to_dict(), arguments.report)
         return REFUSED
     try:
-        _write(stack, arguments, err)
+        _write(stack, arguments, axes, err)
     except KeyboardInterrupt:
         print("laminate-offset: cancelled; only the files named above were written.", file=err)
         return CANCELLED
@@ -95,10 +98,10 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
 def _check_arguments(arguments: argparse.Namespace) -> None:
     """Finds out before the work whether its results can be kept."""
     format_of(arguments.output)
-    for option, ending in TEXTS.items():
+    for option, endings in TEXTS.items():
         path = getattr(arguments, option)
-        if path is not None and os.path.splitext(path)[1].lower() != ending:
-            raise FileError(f"--{option}: {path}: the name must end in {ending}.")
+        if path is not None and os.path.splitext(path)[1].lower() not in endings:
+            raise FileError(f"--{option}: {path}: the name must end in {' or '.join(endings)}.")
     if arguments.book is not None:
         require_matplotlib()
     if arguments.hdf5 is not None:
@@ -108,26 +111,36 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     check_results(sources, [arguments.output, arguments.report, *texts])
 
 
-def _check_layup(arguments: argparse.Namespace, layup: Layup) -> None:
+def _check_layup(arguments: argparse.Namespace, layup: Layup, axes: Optional[Rosettes]) -> None:
     """Finds out before the work whether the texts that are asked for can hold the layup."""
     plies = layup.physical_plies()
     if arguments.calculix is not None:
         check_section(plies)
-    if arguments.book is not None or arguments.hdf5 is not None:
+    if arguments.book is not None:
         check_one_rosette(plies, ONE_ROSETTE)
+    if axes is None and (arguments.book is not None or arguments.calculix is not None):
+        check_none_named(plies, "with --rosette")
+    if arguments.hdf5 is not None:
+        check_rosettes(plies, axes, "with --rosette")
 
 
-def _write(stack: PlyStack, arguments: argparse.Namespace, err: TextIO) -> None:
+def _write(stack: PlyStack, arguments: argparse.Namespace, axes: Optional[Rosettes], err: TextIO) -> None:
     """Writes all that was asked for."""
     stack.export(arguments.output, arguments.solids, arguments.schema)
     print(f"laminate-offset: wrote {arguments.output}", file=err)
+    plies = [ply.ply for ply in stack.plies]
+    one = None if axes is None else rosette_of(axes, plies[0].ply.rosette, plies)  # for what holds plies of one only
     for option in TEXTS:
         path = getattr(arguments, option)
         if path is None:
             continue
         if option == "book":
             with Bar(1, err, "ply book") as bar:
-                export_ply_book(stack, path, progress=bar.progress_after(0))
+                export_ply_book(stack, path, rosette=one, progress=bar.progress_after(0))
+        elif option == "calculix":
+            export_calculix(stack, path, rosette=one)
+        elif option == "hdf5":
+            export_composite_cae(stack, path, rosette=axes)
         else:
             stack.export(path)
         print(f"laminate-offset: wrote {path}", file=err)

@@ -59,7 +59,7 @@ def export_ply_book(
         path: the file, ending in .html.
         title: stands on the cover.
         rosette: the axes that the plies' angles refer to. None: the model's x axis on the middle of the surface, or the
-            y axis where x stands too steeply on it.
+            y axis where x stands too steeply on it; or the first axis of the model that stands nowhere on the face.
         progress: called with a fraction from 0 to 1; returning False stops, and nothing is written.
 
     Raises:

@@ -38,7 +38,7 @@ def export_calculix(
     Args:
         element_set: the set of S8R or S6 elements that gets the section.
         rosette: the axes that the plies' angles refer to. None: the model's x axis on the middle of the surface, or the
-            y axis where x stands too steeply on it.
+            y axis where x stands too steeply on it; or the first axis of the model that stands nowhere on the face.
 
     Raises:
         FileError: the file cannot be written.

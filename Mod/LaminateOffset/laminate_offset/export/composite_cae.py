@@ -2,22 +2,23 @@
 """A stack in the layout "HDF5 composite CAE", by which tools for composites exchange layups: meshes, and for every ply its
 material, its place in the stack and, element by element, thickness and directions.
 
-docs/exports.md tells which names of the layout are certain, and which of them we could not check and are listed in the
-file itself.
+docs/exports.md tells which names of the layout are certain, and which names or meanings we could not check and are listed in
+the file itself.
 """
 
 import datetime
 import importlib
 import math
 import os
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy
 
 from .. import _core
 from ..api import Length, millimetres, nearest_point
+from ..layup import PhysicalPly
 from ..replacing import FileError, replacing
-from ..rosette import Rosette, Rosettes, check_one_rosette, fibre_directions, rosette_of
+from ..rosette import Rosette, Rosettes, check_none_named, check_one_rosette, fibre_directions, rosette_of
 from .fibres import Array, usual_rosette
 from .triangles import crossed, triangles_of, with_short_sides
 
@@ -33,8 +34,16 @@ UNCONFIRMED = (
     "rosettes/*.origin",
     "rosettes/*.direction",
 )
-# What to do about plies of different rosettes when one is given.
-ALL_ROSETTES = 'give all of them as rosette={"name": Rosette}'
+# Names that a script reads from another tool's file; what they mean in full is our guess.
+GUESSED = (
+    "components/*.orientation",
+    "components/*/rosettes",
+    "components/*/data_map/thicknesses",
+    "components/*/data_map/matorient_0_angles",
+    "material_data/fabrics",
+)
+# How rosettes of several names are given.
+ALL_ROSETTES = 'as rosette={"name": Rosette}'
 
 # Of the lay-up face's size: the longest side of an element where nothing is asked for.
 ELEMENT_PART = 1.0 / 40.0
@@ -72,7 +81,7 @@ def export_composite_cae(
         element_size: the longest side of an element in mm, or a FreeCAD length. None: 1/40 of the lay-up face's diagonal.
         rosette: the axes that the plies' angles refer to, where rows of the layup name several all of them as
             {"name": Rosette}. None: the model's x axis on the middle of the surface, or the y axis where x stands too
-            steeply on it.
+            steeply on it; or the first axis of the model that stands nowhere on the face, as along a tube.
 
     Raises:
         FileError: the file cannot be written, or h5py is missing.
@@ -130,19 +139,20 @@ def _element_size(stack: "PlyStack", asked: Optional[Length]) -> float:
     return size
 
 
+def check_rosettes(plies: Sequence[PhysicalPly], rosette: Optional[Rosettes], given: str = ALL_ROSETTES) -> None:
+    """Raises ValueError where rows name rosettes and none is given; `given` is how to give one."""
+    if rosette is not None:
+        return
+    check_one_rosette(plies, f"give all of them {given}")
+    check_none_named(plies, given)
+
+
 def _axes(stack: "PlyStack", rosette: Optional[Rosettes]) -> Dict[str, Rosette]:
     """The rosettes by the names that rows have for them."""
     plies = [ply.ply for ply in stack.plies]
-    if rosette is None:
-        check_one_rosette(plies, ALL_ROSETTES)
-        named = next((ply.ply.rosette for ply in plies if ply.ply.rosette), None)
-        if named is not None:
-            raise ValueError(
-                f"Rows of the layup name the rosette '{named}', which is not known; make a rosette of that name and give "
-                'it as rosette={"name": Rosette}.'
-            )
-        rosette = usual_rosette(stack.base_face)
-    return {ply.ply.rosette: rosette_of(rosette, ply.ply.rosette, plies) for ply in plies}
+    check_rosettes(plies, rosette)
+    chosen = usual_rosette(stack.base_face) if rosette is None else rosette
+    return {ply.ply.rosette: rosette_of(chosen, ply.ply.rosette, plies) for ply in plies}
 
 
 def _meshes(stack: "PlyStack", size: float) -> Dict[int, Elements]:
@@ -190,6 +200,7 @@ class _Writer:
             unit_system="SI",
             length_unit="mm",
             unconfirmed_names=" ".join(UNCONFIRMED),
+            guessed_meanings=" ".join(GUESSED),
         )
         places = {key: self._mesh(number, mesh) for number, (key, mesh) in enumerate(meshes.items(), start=1)}
         fabrics = self._fabrics()

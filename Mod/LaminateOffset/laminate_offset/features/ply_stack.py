@@ -11,6 +11,7 @@ import Part
 
 import laminate_offset as lo
 
+from ..boundary_texts import stagger_of
 from ..rosette import fibre_directions
 from ..stack import SURFACES
 from ..view_settings import OFFSET_LOOK, ViewProvider
@@ -50,6 +51,13 @@ class PlyStackFeature(Feature):
             "Stack",
             "Largest distance of a boundary from the face; 0: a quarter of the boundary's size",
             0.0,
+        ),
+        Property(
+            "App::PropertyStringList",
+            "Stagger",
+            "Stack",
+            "Distances by which successive plies keep inside of their boundary: Label=0,8,16 for each, or 0,8,16 for all",
+            [],
         ),
         Property("App::PropertyLength", "Tolerance", "Stack", "Largest deviation of every surface", 1e-3),
         Property("App::PropertyEnumeration", "Surface", "Stack", "Which surface of a ply is made", list(SURFACES)),
@@ -303,12 +311,20 @@ def _stack(obj: Any) -> Any:
         "boundaries": {boundary.Label: _global_shape(boundary) for boundary in obj.Boundaries},
         "drop_off": obj.DropOff,
         "boundary_gap": obj.BoundaryGap.Value or None,
+        "stagger": _stagger(obj),
     }
     try:
         return progress.run(obj.Label, lambda report: _laid(face, layup, report, options))
     except lo.OffsetError as error:
         error.face = name
         raise
+
+
+def _stagger(obj: Any) -> Any:
+    try:
+        return stagger_of(obj.Stagger)
+    except ValueError as error:
+        raise ValueError(f"Stagger: {error}.") from error
 
 
 def _laid(face: Any, layup: Any, report: Optional[progress.Report], options: Dict[str, Any]) -> Any:

@@ -11,7 +11,7 @@ from . import preferences
 
 #: By how much the engine steps back behind the GUI where both want a processor core (niceness). Only the engine does: a
 #: thread that steps back while it runs Python would hold up all of Python, the GUI too.
-_NICENESS = 5
+_NICENESS = 10
 
 
 class Job:

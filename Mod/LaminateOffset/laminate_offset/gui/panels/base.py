@@ -20,6 +20,38 @@ def flags(value: Any) -> int:
     return int(getattr(value, "value", value))
 
 
+class LineInSight(QtCore.QObject):
+    """Scrolls to a line, again whenever the panel's height changes: a longer text gets its place only after several layouts."""
+
+    def __init__(self, line: Any):
+        super().__init__(line)
+        self._line = line
+        self._kept = False
+        self._areas: List[Any] = []
+
+    def keep(self, kept: bool) -> None:
+        """From now on, or no longer."""
+        self._kept = kept
+        if kept:
+            QtCore.QTimer.singleShot(0, self._reveal)
+
+    def _reveal(self, *_range: int) -> None:
+        if not self._kept:
+            return
+        if not self._areas:
+            self._areas = self._find_areas()
+        for area in self._areas:
+            area.ensureWidgetVisible(self._line, 0, 0)
+
+    def _find_areas(self) -> List[Any]:
+        # Asked from above: a parent's wrapper takes the line's along when it goes.
+        every = FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea)
+        areas = [area for area in every if area.isAncestorOf(self._line)]
+        for area in areas:
+            area.verticalScrollBar().rangeChanged.connect(self._reveal)
+        return areas
+
+
 class FeaturePanel:
     """Edits one object in an open transaction; FreeCAD calls the methods with its names (accept, reject...)."""
 
@@ -37,6 +69,7 @@ class FeaturePanel:
         self._doc = feature.Document
         self._feature = feature
         self.form = FreeCADGui.PySideUic.loadUi(form(self.FORM))
+        self._sight = LineInSight(self.form.result)
         self._fill()
         self._connect()
 
@@ -91,9 +124,10 @@ class FeaturePanel:
         self.tell(self._feature.Message, refused=self._feature.Status != "ok")
 
     def tell(self, text: str, refused: bool = False) -> None:
-        """The panel's last line; a refusal is red."""
+        """The panel's last line; a refusal is red, and scrolled to where it is seen."""
         self.form.result.setStyleSheet(_REFUSED if refused else "")
         self.form.result.setText(text)
+        self._sight.keep(refused)
 
     def closing(self) -> None:
         """Called before the panel closes."""

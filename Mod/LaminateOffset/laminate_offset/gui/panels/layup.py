@@ -31,7 +31,7 @@ class LayupPanel(FeaturePanel):
     """Edits one layup. Every change is checked at once; what is wrong is red, and OK waits until it is right."""
 
     FORM = "LayupPanel"
-    WIDTH = 500
+    WIDTH = 570
     CHOICES = {"direction": "Direction", "reference": "Reference"}
     TICKS = {"symmetric": "Symmetric", "middlePly": "MiddlePly"}
     NUMBERS = {"repeat": "Repeat"}

@@ -25,6 +25,8 @@ from .base import FacePanel
 PREVIEW_DELAY_MS = 350
 
 _POLL_MS = 30
+#: Between two steps of the progress bar [ms].
+_STEP_MS = 200
 
 
 def open_new(feature: Any) -> None:
@@ -59,6 +61,8 @@ class OffsetFacePanel(FacePanel):
         self._poll = QtCore.QTimer(self.form)
         self._poll.setInterval(_POLL_MS)
         self._poll.timeout.connect(self._watch)
+        self._last_step = QtCore.QElapsedTimer()
+        self._last_step.start()
         self.form.flip.clicked.connect(self._flip)
         self.form.livePreview.toggled.connect(self._toggle_live)
 
@@ -135,11 +139,21 @@ class OffsetFacePanel(FacePanel):
         self.tell(translate("OffsetFacePanel", "Computing the preview..."))
 
     def _watch(self) -> None:
-        self.form.progress.setValue(int(1000 * self._newest.fraction))
+        if self._last_step.elapsed() >= _STEP_MS:
+            self._last_step.restart()
+            self._show_progress(int(1000 * self._newest.fraction))
         self._newest.poll()
         if not self._newest.busy:
             self._poll.stop()
             self.form.progress.setVisible(False)
+
+    def _show_progress(self, value: int) -> None:
+        """Qt draws a bar's new value at once, and the whole window with it: here it is drawn with all else that waits."""
+        bar = self.form.progress
+        if bar.value() != value:
+            bar.setUpdatesEnabled(False)
+            bar.setValue(value)
+            bar.setUpdatesEnabled(True)
 
     def _stop_preview(self) -> None:
         """Ends what is being computed and takes the preview away: it no longer shows what is asked for."""

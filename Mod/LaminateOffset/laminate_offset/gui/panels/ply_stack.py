@@ -12,6 +12,10 @@ from . import base
 from .base import FacePanel
 
 
+#: Between the lists of different boundaries.
+_SEPARATOR = "; "
+
+
 def open_new(feature: Any) -> None:
     """Shows the panel on an object that was just made in an open transaction."""
     base.show(PlyStackPanel(feature))
@@ -42,6 +46,8 @@ class PlyStackPanel(FacePanel):
         self._show_layups()
         self.form.dropOff.setValue(feature.DropOff)
         self.form.dropOff.valueChanged.connect(lambda ratio: self.assign("DropOff", ratio))
+        self.form.stagger.setText(_SEPARATOR.join(feature.Stagger))
+        self.form.stagger.editingFinished.connect(self._stagger_typed)
         self._show_rosettes()
         self.form.layup.currentIndexChanged.connect(self._layup_chosen)
         self.form.newLayup.clicked.connect(self._new_layup)
@@ -85,6 +91,10 @@ class PlyStackPanel(FacePanel):
         if self._feature.Rosette in rosettes:
             self.form.rosette.setCurrentIndex(rosettes.index(self._feature.Rosette))
         self.form.rosette.currentIndexChanged.connect(lambda index: self.assign("Rosette", rosettes[index]))
+
+    def _stagger_typed(self) -> None:
+        entries = [entry.strip() for entry in self.form.stagger.text().split(_SEPARATOR.strip())]
+        self.assign("Stagger", [entry for entry in entries if entry])
 
     def _layup_chosen(self, index: int) -> None:
         if 0 <= index < len(self._layups):

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parts of creased faces that run into each other, at their creases and far from them.
+#include "support/offsets.h"
+#include "support/sample_faces.h"
+
+#include <laminate_offset/creased_solids.h>
+#include <laminate_offset/offset_face.h>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <gp.hxx>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+constexpr double tolerance = 1e-3;
+constexpr double depth = 30.0;
+
+using Polyline = std::vector<std::array<double, 2>>;
+
+//! A polyline in the plane z = 0, extruded upwards: an extrusion, or the same surface as a spline.
+TopoDS_Face folded(const Polyline &points, bool as_spline)
+{
+    const int count = static_cast<int>(points.size());
+    TColStd_Array1OfReal knots(1, count);
+    TColStd_Array1OfInteger multiplicities(1, count);
+    TColgp_Array1OfPnt line(1, count);
+    TColgp_Array2OfPnt net(1, count, 1, 2);
+    for (int i = 1; i <= count; ++i)
+    {
+        const auto [x, y] = points[static_cast<std::size_t>(i) - 1];
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == count ? 2 : 1;
+        line(i) = net(i, 1) = gp_Pnt(x, y, 0.0);
+        net(i, 2) = gp_Pnt(x, y, depth);
+    }
+    if (!as_spline)
+    {
+        const Handle(Geom_BSplineCurve) profile = new Geom_BSplineCurve(line, knots, multiplicities, 1);
+        return BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(profile, gp::DZ()), 0.0, count - 1.0, 0.0,
+                                       depth, 1e-7);
+    }
+    TColStd_Array1OfReal ends(1, 2);
+    TColStd_Array1OfInteger twice(1, 2);
+    ends(1) = 0.0, ends(2) = 1.0;
+    twice(1) = twice(2) = 2;
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(net, knots, ends, multiplicities, twice, 1, 1), 1e-7);
+}
+
+//! The last arm ends beside the first one. All turns are to the same side, so that the offset opens at every crease on one
+//! side, and crosses at every crease on the other.
+const Polyline hook{{0, 0}, {0, -20}, {20, -20}, {20, 20}, {-20, 20}, {-20, 0.3}, {-0.4, 0.3}};
+
+double shared_volume(const std::vector<TopoDS_Solid> &solids)
+{
+    double volume = 0.0;
+    for (std::size_t i = 0; i < solids.size(); ++i)
+        for (std::size_t j = i + 1; j < solids.size(); ++j)
+        {
+            GProp_GProps figures;
+            BRepGProp::VolumeProperties(BRepAlgoAPI_Common(solids[i], solids[j]).Shape(), figures);
+            volume += figures.Mass();
+        }
+    return volume;
+}
+
+//! On one side of the hook all creases open, on the other all cross: the sign of the opening one.
+double opening_side(const TopoDS_Face &face)
+{
+    const auto up = offset(face, 0.05, tolerance), down = offset(face, -0.05, tolerance);
+    EXPECT_TRUE(up.ok() && down.ok()) << why(up) << why(down);
+    const bool up_opens = *up.value().report.crease == CreaseKind::Gap;
+    EXPECT_EQ(*(up_opens ? down : up).value().report.crease, CreaseKind::Overlap);
+    return up_opens ? 1.0 : -1.0;
+}
+
+Result<std::vector<std::vector<TopoDS_Solid>>> solids(const TopoDS_Face &face, double distance)
+{
+    OffsetOptions options;
+    options.tolerance = tolerance;
+    return creased_ply_solids(
+        face, {0.0, 0.5 * distance, distance},
+        distance > 0.0 ? std::vector<SolidSpan>{{0, 1}, {1, 2}} : std::vector<SolidSpan>{{1, 0}, {2, 1}}, options);
+}
+
+TEST(PartsOfCreasedFaces, AHookWhoseEndRunsIntoItsStartIsRefused)
+{
+    for (const bool as_spline : {false, true})
+        for (const bool turned : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << "spline " << as_spline << " turned " << turned);
+            const TopoDS_Face plain = folded(hook, as_spline);
+            const TopoDS_Face face = turned ? located(reversed(plain)) : plain;
+            const double side = opening_side(face);
+            const auto near = offset(face, 0.2 * side, tolerance);
+            ASSERT_TRUE(near.ok()) << why(near);
+            EXPECT_TRUE(near.value().report.apart);
+            EXPECT_EQ(*near.value().report.crease, CreaseKind::Gap);
+            const auto made = solids(face, 0.2 * side);
+            ASSERT_TRUE(made.ok()) << made.failure().message;
+            for (const std::vector<TopoDS_Solid> &parts : made.value())
+            {
+                EXPECT_EQ(parts.size(), hook.size() - 1);
+                EXPECT_TRUE(turned || std::abs(shared_volume(parts)) < 1e-9);
+            }
+            for (const double distance : {1.0, 3.0})
+            {
+                const auto far = offset(face, distance * side, tolerance);
+                ASSERT_FALSE(far.ok());
+                EXPECT_EQ(far.failure().status, Status::SelfIntersection) << why(far);
+                EXPECT_EQ(far.failure().stage, Stage::Surface);
+                ASSERT_TRUE(far.failure().where.has_value());
+                const auto filled = solids(face, distance * side);
+                ASSERT_FALSE(filled.ok());
+                EXPECT_EQ(filled.failure().status, Status::SelfIntersection) << filled.failure().message;
+                ASSERT_TRUE(filled.failure().where.has_value());
+            }
+        }
+}
+
+TEST(PartsOfCreasedFaces, PliesThatPassRightThroughEachOtherAreRefused)
+{
+    // the plies of the first arm reach the last one, 6 away, whose own plies stand on its far side: at 7 the offsets of both
+    // are 6 apart
+    const Polyline arms{{0, 0}, {60, 0}, {60, -20}, {-20, -20}, {-20, 6}, {50, 6}};
+    const TopoDS_Face face = folded(arms, true);
+    int refused = 0, made = 0;
+    for (const double distance : {-7.0, -5.9, 5.9, 7.0})
+    {
+        const auto laid = solids(face, distance);
+        if (laid.ok())
+        {
+            ++made;
+            EXPECT_LT(std::abs(distance), 6.0);
+            EXPECT_LT(std::abs(shared_volume(laid.value()[0])) + std::abs(shared_volume(laid.value()[1])), 1e-9);
+        }
+        else if (laid.failure().status == Status::SelfIntersection)
+        {
+            ++refused;
+            EXPECT_GT(std::abs(distance), 6.0);
+        }
+    }
+    EXPECT_EQ(made, 1);
+    EXPECT_EQ(refused, 1);
+}
+
+//! A roof along x whose ridge sinks below the eaves in a window of its poles (parts of its length), so that it is a valley
+//! there.
+TopoDS_Face roof_with_window(int spans, double from, double to, double length, double height)
+{
+    TColStd_Array1OfReal knots_u(1, 3), knots_v(1, spans + 1);
+    TColStd_Array1OfInteger multiplicities_u(1, 3), multiplicities_v(1, spans + 1);
+    for (int i = 1; i <= 3; ++i)
+    {
+        knots_u(i) = 0.5 * (i - 1);
+        multiplicities_u(i) = i == 2 ? 1 : 2;
+    }
+    for (int i = 1; i <= spans + 1; ++i)
+    {
+        knots_v(i) = static_cast<double>(i - 1) / spans;
+        multiplicities_v(i) = i == 1 || i == spans + 1 ? 4 : 1;
+    }
+    TColgp_Array2OfPnt poles(1, 3, 1, spans + 3);
+    for (int j = 1; j <= poles.RowLength(); ++j)
+    {
+        const double t = std::clamp((j - 2.0) / spans, 0.0, 1.0);
+        for (int i = 1; i <= poles.ColLength(); ++i)
+            poles(i, j) = gp_Pnt(length * t, 20.0 * (i - 2), i != 2 ? 0.0 : t > from && t < to ? -height : height);
+    }
+    return BRepBuilderAPI_MakeFace(
+        new Geom_BSplineSurface(poles, knots_u, knots_v, multiplicities_u, multiplicities_v, 1, 3), 1e-7);
+}
+
+TEST(PartsOfCreasedFaces, ANarrowWindowThatCrossesIsSeen)
+{
+    struct Case
+    {
+        int spans;
+        double from, to;
+        bool window;
+        double length = 100.0, height = 1.0;
+    };
+    for (const Case &c : {Case{64, 2.0, 3.0, false}, Case{64, 0.5146, 0.5479, true}, Case{64, 0.3, 0.5, true},
+                          Case{500, 0.3341, 0.3379, true, 1000.0, 0.1}})
+    {
+        SCOPED_TRACE(testing::Message() << c.spans << " spans, from " << c.from);
+        const TopoDS_Face face = roof_with_window(c.spans, c.from, c.to, c.length, c.height);
+        int opens = 0;
+        for (const double distance : {1.0, -1.0})
+        {
+            const auto result = offset(face, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            const CreaseKind kind = *result.value().report.crease;
+            const auto filled = solids(face, distance);
+            EXPECT_EQ(filled.ok(), kind == CreaseKind::Gap);
+            EXPECT_EQ(kind == CreaseKind::Both, c.window);
+            opens += kind == CreaseKind::Gap ? 1 : 0;
+            if (filled.ok())
+                continue;
+            EXPECT_EQ(filled.failure().status, Status::KinkedSurface) << filled.failure().message;
+            const bool advises = filled.failure().message.find("other side") != std::string::npos;
+            EXPECT_EQ(advises, !c.window) << "where both sides cross the other one does not help";
+        }
+        EXPECT_EQ(opens, c.window ? 0 : 1);
+    }
+}
+
+} // namespace
