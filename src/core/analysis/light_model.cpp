@@ -30,8 +30,8 @@ constexpr double first_part = 0.5;
 constexpr double curvature_share = 5e-3;
 constexpr double flat_curvature = 1e-2;
 constexpr int most_rounds = 4;
-// Blocks of spans in each direction over which bounds are taken.
-constexpr std::size_t most_blocks = 24;
+// Blocks of spans in each direction over which bounds are taken; more where the other direction has fewer spans.
+constexpr std::size_t even_blocks = 24;
 // Angle of the normals (its sine) up to which asin x <= 1.01 x.
 constexpr double small_angle = 0.1;
 constexpr double small_angle_factor = 1.01;
@@ -49,7 +49,7 @@ struct IndexRange
 class Direction
 {
 public:
-    explicit Direction(const KnotVector &kv) : m_poles(kv.pole_count())
+    Direction(const KnotVector &kv, std::size_t most_blocks) : m_poles(kv.pole_count())
     {
         m_factors.push_back(factors(kv, 0));
         m_factors.push_back(factors(kv, 1));
@@ -138,7 +138,10 @@ Net derivative_v(const Net &net, const Direction &along)
 class Blocks
 {
 public:
-    explicit Blocks(const TensorSpline &spline) : m_u(spline.u), m_v(spline.v) {}
+    explicit Blocks(const TensorSpline &spline)
+        : m_u(spline.u, most_blocks_beside(spline.v)), m_v(spline.v, most_blocks_beside(spline.u))
+    {
+    }
 
     [[nodiscard]] const Direction &u() const { return m_u; }
     [[nodiscard]] const Direction &v() const { return m_v; }
@@ -199,6 +202,12 @@ public:
     }
 
 private:
+    //! As many as leave even_blocks^2 in all.
+    static std::size_t most_blocks_beside(const KnotVector &other)
+    {
+        return even_blocks * even_blocks / std::min(even_blocks, other.breaks().size() - 1);
+    }
+
     static double largest(const Eigen::ArrayXd &values, const IndexRange &range)
     {
         return values.segment(range.first, range.last - range.first + 1).maxCoeff();
@@ -287,6 +296,16 @@ public:
         for (Eigen::Index k = 0; k < change.u.size() && std::isfinite(error.normal); ++k)
             add_block(k, change, error);
         return error;
+    }
+
+    //! Does every block certainly have normals? Else no model of this base can be held against it.
+    [[nodiscard]] bool has_normals() const
+    {
+        for (std::size_t k = 0; k < m_cones_u.size(); ++k)
+            if (!(m_cones_u[k].shortest > 0.0 && m_cones_v[k].shortest > 0.0 &&
+                  least_sine(m_cones_u[k], m_cones_v[k]) > 0.0))
+                return false;
+        return true;
     }
 
     //! The largest curvature at the blocks' centres [1/mm].
@@ -384,6 +403,8 @@ public:
     {
     }
 
+    [[nodiscard]] bool is_hopeless() const { return !m_bounds.has_normals(); }
+
     //! \param allowance [mm] that the model's point and normal errors may add to the offset's.
     [[nodiscard]] std::optional<LightModel> within(double allowance)
     {
@@ -426,6 +447,8 @@ std::optional<LightModel> light_model(const TensorSpline &base, double distance,
     if (base.rational || spans < least_spans || too_few)
         return std::nullopt;
     ModelSearch search(base, distance);
+    if (search.is_hopeless())
+        return std::nullopt;
     for (const double share : tolerance_shares)
         if (std::optional<LightModel> model = search.within(share * tolerance))
             return smooth(model->spline.u) && smooth(model->spline.v) ? model : std::nullopt;

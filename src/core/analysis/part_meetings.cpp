@@ -29,6 +29,8 @@ constexpr double resolution_share = 0.5;
 constexpr double least_separation = 0.2;
 // Points that coincide to this part of the face's size are one point.
 constexpr double coincidence = 1e-10;
+// Patches are judged beside a crease from which they lie no farther away than so many times their width.
+constexpr double nearest_widths = 8.0;
 // Parts end at one crease when their loops do within this part of their width.
 constexpr double same_line = 1e-6;
 
@@ -106,12 +108,14 @@ struct SheetBounds
     }
 };
 
-//! One part: its surfaces and what is known of their patches, numbered as in the far surface's tree.
+//! One part: its surfaces and what is known of their patches, numbered as in the search's tree. That one is a tree of the
+//! far surface of its own: bounds over narrow rectangles halve theirs into narrow patches.
 class Body
 {
 public:
     Body(const MeetingPart &part, const PartMeetingQuery &query, const Eigen::Vector3d &origin)
-        : m_part(part), m_periods(periods_of(part.input, query.tolerance)), m_base(*part.analysis.base.spline(), origin)
+        : m_part(part), m_periods(periods_of(part.input, query.tolerance)), m_base(*part.analysis.base.spline(), origin),
+          m_tree(part.far, origin)
     {
         m_sheets.push_back(std::make_unique<Sheet>(part.far, origin));
         if (part.near)
@@ -120,7 +124,7 @@ public:
 
     [[nodiscard]] const MeetingPart &part() const { return m_part; }
     [[nodiscard]] const Periods &periods() const { return m_periods; }
-    [[nodiscard]] PatchTree &tree() { return m_sheets.front()->tree; }
+    [[nodiscard]] PatchTree &tree() { return m_tree; }
     [[nodiscard]] bool is_slab() const { return m_sheets.size() > 1; }
     [[nodiscard]] const ParameterBox &box(int index) { return tree().node(index).box; }
 
@@ -205,6 +209,7 @@ private:
     const MeetingPart &m_part;
     Periods m_periods;
     Sheet m_base;
+    PatchTree m_tree;
     std::vector<std::unique_ptr<Sheet>> m_sheets; //!< the far one first
     std::vector<std::vector<SheetBounds>> m_patches;
     std::vector<signed char> m_touches;
@@ -440,10 +445,13 @@ private:
         if (!one_first && !other_first)
             return false;
         const ParameterBox there = shifted(b, u, v), both = hull(a, there);
-        const double lengths =
-            constant_u ? std::max(a.vmax - a.vmin, b.vmax - b.vmin) : std::max(a.umax - a.umin, b.umax - b.umin);
-        if ((constant_u ? both.vmax - both.vmin : both.umax - both.umin) > 3.0 * lengths)
-            return false; // far from each other along the crease
+        const double widest_u = std::max(a.umax - a.umin, b.umax - b.umin);
+        const double widest_v = std::max(a.vmax - a.vmin, b.vmax - b.vmin);
+        const double length = constant_u ? both.vmax - both.vmin : both.umax - both.umin;
+        const double width = constant_u ? both.umax - both.umin : both.vmax - both.vmin;
+        if (length > 3.0 * (constant_u ? widest_v : widest_u) ||
+            width > nearest_widths * (constant_u ? widest_u : widest_v))
+            return false; // far from each other along the crease, or from the crease
         ParameterBox before = both, after = both;
         if (constant_u)
             before.umax = after.umin = one_first ? one.umax : one.umin;

@@ -89,10 +89,10 @@ std::optional<ReducedSpline> DataReduction::within(double tolerance) const
     {
         const bool all = m_by_u.rows() <= enough_curves && m_by_v.rows() <= enough_curves;
         std::optional<ReducedSpline> result = attempt(share * tolerance, all);
-        if (!all && !(result && result->largest <= tolerance))
+        if (!all && result && result->largest > tolerance)
             result = attempt(share * tolerance, true);
         if (!result || result->largest <= tolerance)
-            return result;
+            return result; // what is not worth it for some curves is not worth it for all
         share *= std::clamp(0.8 * tolerance / result->largest, 0.1, 0.8);
     }
     return std::nullopt;

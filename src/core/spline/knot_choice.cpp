@@ -490,7 +490,7 @@ private:
     {
         if (degree < std::max(m_problem.min_degree, m_problem.required_degree) || degree > m_problem.max_degree)
             return false;
-        const int fewest = m_best ? m_best->knots.pole_count() : m_problem.max_poles;
+        const int fewest = m_best ? m_best->knots.pole_count() : m_problem.max_poles + 1;
         if (degree + 1 >= fewest)
             return false;
         const double judged = fewest > small_fit ? std::max(least_part_left, luckier * m_part_left) : least_part_left;
