@@ -165,6 +165,26 @@ TEST(KnotChoice, NeedsNoKnotForAPolynomial)
     EXPECT_EQ(choice->knots.pole_count(), 6);
 }
 
+//! Of degree 5 and C3 at two places, with more of degree 5 than degree 4 can follow with as few poles.
+TEST(KnotChoice, FindsOnePolynomialBetweenAnyTwoBreaks)
+{
+    const auto power = [](double x, int n) { return x > 0.0 ? std::pow(x, n) : 0.0; };
+    const Curve pieces = [power](double t) {
+        return Eigen::Vector3d(t + 3.0 * std::pow(t, 5),
+                               40.0 * power(t - 1.0 / 3.0, 4) - 90.0 * power(t - 2.0 / 3.0, 5),
+                               std::pow(t, 4) - 60.0 * power(t - 2.0 / 3.0, 4));
+    };
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+    {
+        SCOPED_TRACE(tolerance);
+        KnotProblem problem = problem_of({pieces}, 0.0, 1.0, tolerance);
+        problem.breaks = {{1.0 / 3.0, 3}, {2.0 / 3.0, 3}};
+        const auto choice = choose_knots(problem);
+        ASSERT_TRUE(choice.has_value());
+        EXPECT_LE(choice->knots.pole_count(), 10);
+    }
+}
+
 TEST(KnotChoice, CarriesADeclaredCornerExactly)
 {
     KnotProblem problem = problem_of({cornered}, 0.0, 3.0, 1e-6);

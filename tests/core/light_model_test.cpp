@@ -264,6 +264,35 @@ TEST(LightModel, OfFlatFacetsIsOneOfFew)
             }
 }
 
+//! A wavy ribbon of many spans along and a single one across, which turns by several right angles.
+TEST(LightModel, OfALongRibbonWithOneSpanAcross)
+{
+    for (const double size : {1.0, 500.0})
+        for (const int degree : {3, 6})
+            for (const bool along_u : {true, false})
+            {
+                SCOPED_TRACE(::testing::Message() << "size " << size << " degree " << degree << " along u " << along_u);
+                TensorSpline base = panel(size, 300, degree);
+                (along_u ? base.v : base.u) = clamped_knots(degree, 0.0, 1.0, {});
+                (along_u ? base.u : base.v) = panel(size, 300, degree).u;
+                base.poles.clear();
+                for (int i = 0; i < base.u.pole_count(); ++i)
+                    for (int j = 0; j < base.v.pole_count(); ++j)
+                    {
+                        const double along = (along_u ? i : j) / 299.0,
+                                     across = static_cast<double>(along_u ? j : i) / degree;
+                        base.poles.emplace_back(size * (along + 0.05 * std::cos(14.0 * along)), 0.1 * size * across,
+                                                size * (0.1 * std::sin(14.0 * along) + 0.01 * across * across), 1.0);
+                    }
+                const std::optional<LightModel> model = light_model(base, 0.005 * size, 1e-5 * size);
+                ASSERT_TRUE(model);
+                EXPECT_LT(2 * spans(model->spline), spans(base));
+                const Differences seen = differences(base, model->spline);
+                expect_within(seen, model->error);
+                EXPECT_GT(seen.normal, 1e-3 * model->error.normal) << "the bound says nothing";
+            }
+}
+
 TEST(LightModel, LeavesSmallAndSingularBasesAlone)
 {
     EXPECT_FALSE(light_model(panel(500.0, 8), 5.0, 1e-1));

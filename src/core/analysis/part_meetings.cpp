@@ -114,8 +114,8 @@ class Body
 {
 public:
     Body(const MeetingPart &part, const PartMeetingQuery &query, const Eigen::Vector3d &origin)
-        : m_part(part), m_periods(periods_of(part.input, query.tolerance)), m_base(*part.analysis.base.spline(), origin),
-          m_tree(part.far, origin)
+        : m_part(part), m_periods(periods_of(part.input, query.tolerance)),
+          m_base(*part.analysis.base.spline(), origin), m_tree(part.far, origin)
     {
         m_sheets.push_back(std::make_unique<Sheet>(part.far, origin));
         if (part.near)

@@ -227,15 +227,9 @@ double signed_area(const std::vector<TrimmingLoop> &loops)
         {
             if (!curve.bounds_face())
                 continue;
-            constexpr int steps = 32;
             double part = 0.0;
-            gp_Pnt2d before = curve.pcurve->Value(curve.first);
-            for (int i = 1; i <= steps; ++i)
-            {
-                const gp_Pnt2d here = curve.pcurve->Value(curve.first + (curve.last - curve.first) * i / steps);
-                part += 0.5 * (before.X() * here.Y() - here.X() * before.Y());
-                before = here;
-            }
+            for (const PcurvePiece &piece : curve.pieces)
+                part += 0.5 * piece.start.XY().Crossed(piece.end.XY());
             area += curve.edge.Orientation() == TopAbs_REVERSED ? -part : part;
         }
     return area;

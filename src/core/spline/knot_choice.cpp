@@ -48,6 +48,9 @@ void add_chebyshev(double a, double b, int count, std::vector<double> &parameter
         parameters.push_back(a + (b - a) * (0.5 * (1.0 - std::cos(M_PI * (k + 0.5) / count))));
 }
 
+//! What a knot at a break needs for splines of a degree to be no smoother there than the data.
+int full_multiplicity(const DataBreak &b, int degree) { return std::clamp(degree - b.continuity, 0, degree); }
+
 class SampledData
 {
 public:
@@ -216,11 +219,6 @@ private:
         return prediction_share * growth * trial.knots.pole_count() > m_most_poles;
     }
 
-    [[nodiscard]] int full_multiplicity(const DataBreak &b) const
-    {
-        return std::clamp(m_degree - b.continuity, 0, m_degree);
-    }
-
     //! Raises the knot at a break to the multiplicity that the data needs; false if it has it already.
     bool raise(const Trial &trial, double parameter, std::vector<double> &added) const
     {
@@ -230,7 +228,7 @@ private:
             return false;
         const auto here = std::equal_range(trial.interior.begin(), trial.interior.end(), parameter);
         const auto planned = std::count(added.begin(), added.end(), parameter);
-        const auto missing = full_multiplicity(*b) - (here.second - here.first) - planned;
+        const auto missing = full_multiplicity(*b, m_degree) - (here.second - here.first) - planned;
         added.insert(added.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, missing)), parameter);
         return missing > 0 || planned > 0;
     }
@@ -242,7 +240,7 @@ private:
         const double nothing = m_problem.low - 1.0;
         double nearest = nothing;
         for (const DataBreak &br : m_problem.breaks)
-            if (br.parameter > a && br.parameter < b && full_multiplicity(br) > 0 &&
+            if (br.parameter > a && br.parameter < b && full_multiplicity(br, m_degree) > 0 &&
                 (nearest == nothing || std::abs(br.parameter - middle) < std::abs(nearest - middle)))
                 nearest = br.parameter;
         if (nearest != nothing)
@@ -496,7 +494,20 @@ private:
         const double judged = fewest > small_fit ? std::max(least_part_left, luckier * m_part_left) : least_part_left;
         const double hope = degree < lowest_thinned_degree ? 1.0 : judged;
         const int most = m_best ? static_cast<int>(fewest / hope) : m_problem.max_poles;
-        return search(degree, std::min({most, most_poles, m_problem.max_poles}), m_best ? &m_best->knots : nullptr);
+        const int limit = std::min({most, most_poles, m_problem.max_poles});
+        const bool reached = search(degree, limit, m_best ? &m_best->knots : nullptr);
+        const KnotVector pieces = between_breaks(degree);
+        const bool may_win = m_best && pieces.pole_count() < m_best->knots.pole_count();
+        return (may_win && search(degree, m_best->knots.pole_count() - 1, &pieces)) || reached;
+    }
+
+    //! A polynomial between any two breaks, joined as smoothly as the data is.
+    [[nodiscard]] KnotVector between_breaks(int degree) const
+    {
+        std::vector<double> interior;
+        for (const DataBreak &b : m_problem.breaks)
+            interior.insert(interior.end(), static_cast<std::size_t>(full_multiplicity(b, degree)), b.parameter);
+        return clamped_knots(degree, m_problem.low, m_problem.high, interior);
     }
 
     bool search(int degree, int most_poles, const KnotVector *start)

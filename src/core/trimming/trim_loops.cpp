@@ -25,7 +25,7 @@ namespace
 {
 
 // The sampled error is for information only; what counts is proven.
-constexpr int error_samples = 24;
+constexpr int error_samples = 12;
 // Part of an edge's tolerance that its pcurve may move by when it is written more simply.
 constexpr double simpler_share = 0.05;
 
