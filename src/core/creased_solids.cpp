@@ -71,18 +71,17 @@ std::optional<Failure> overlap(const std::vector<Part> &parts, double distance, 
     std::vector<AnalysedPart> bodies;
     for (const Part &part : parts)
         bodies.push_back({part.input, part.analysis, nullptr});
-    const Result<bool> apart =
+    const Result<PartsApart> apart =
         check_part_meetings(bodies, edges_between(parts, distance, tolerance), distance, tolerance, Between::Plies);
     if (!apart)
         return apart.failure();
-    if (apart.value())
+    if (apart.value().settled)
         return std::nullopt;
-    const InputFace &input = parts.front().input;
     return Failure{
         Status::NotSupported, Stage::Topology,
         "Whether plies of different parts of the creased face run into each other could not be settled; split the "
         "face at its creases and stack the parts.",
-        input.place(input.loops.front().curves.front().pieces.front().start), std::nullopt};
+        apart.value().open, std::nullopt};
 }
 
 TopoDS_Face located(const InputFace &part)

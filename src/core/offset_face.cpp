@@ -201,11 +201,11 @@ private:
             analysed.push_back({parts[i], made[i].analysis, moved ? nullptr : made[i].surface.geometry});
         }
         const std::vector<CreaseEdge> edges = crease_edges(creased, distance, m_options.tolerance);
-        const Result<bool> apart =
+        const Result<PartsApart> apart =
             check_part_meetings(analysed, edges, distance, m_options.tolerance, Between::Nothing);
         if (!apart)
             return apart.failure();
-        return Creases{kind_of(edges), apart.value()};
+        return Creases{kind_of(edges), apart.value().settled};
     }
 
     //! What would work for one part has to work for the others too.

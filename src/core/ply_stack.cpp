@@ -184,8 +184,6 @@ public:
 
     Result<PlyStackResult> run()
     {
-        if (const Result<bool> ok = checked(m_plies, m_boundaries, m_options); !ok)
-            return ok.failure();
         const Result<InputFace> input = read_face(m_face);
         if (!input)
             return input.failure();
@@ -368,12 +366,12 @@ private:
 };
 
 //! The face with its seam out of the way of boundaries; empty where it is in nobody's way.
-std::optional<TopoDS_Face> out_of_the_way(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
-                                          const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options)
+std::optional<TopoDS_Face> out_of_the_way(const TopoDS_Shape &face, const InputFace &input,
+                                          const std::vector<PlySpec> &plies, const std::vector<PlyBoundary> &boundaries,
+                                          const PlyStackOptions &options)
 {
-    const Result<InputFace> input = read_face(face);
-    if (!input || !has_seam(input.value()) || !checked(plies, boundaries, options))
-        return std::nullopt; // what is wrong is refused by the pipeline
+    if (!has_seam(input))
+        return std::nullopt;
     std::vector<TopoDS_Shape> images;
     double clearance = 0.0;
     for (const PlySpec &ply : plies)
@@ -386,7 +384,27 @@ std::optional<TopoDS_Face> out_of_the_way(const TopoDS_Shape &face, const std::v
                 if (const auto image = project_curve(face, wire, {options.tolerance, Outside::Clip}))
                     images.push_back(image.value().wire.Located(TopLoc_Location()));
         }
-    return with_moved_seam(input.value(), images, clearance);
+    return with_moved_seam(input, images, clearance);
+}
+
+//! What can be said before any curve is dropped onto the face: on a creased one images and insets fail for reasons that
+//! lead nobody to the crease.
+Result<InputFace> readable(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
+                           const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options)
+{
+    if (const Result<bool> ok = checked(plies, boundaries, options); !ok)
+        return ok.failure();
+    Result<InputFace> input = read_face(face);
+    if (!input)
+        return input;
+    double top = options.start;
+    for (const PlySpec &ply : plies)
+        top += options.direction * ply.thickness;
+    const double start = input.value().from_surface(options.start), end = input.value().from_surface(top);
+    const double farthest = std::abs(start) > std::abs(end) ? start : end;
+    if (const Result<bool> smooth = check_uncreased(input.value(), farthest, options.tolerance); !smooth)
+        return smooth.failure();
+    return input;
 }
 
 } // namespace
@@ -397,7 +415,10 @@ Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<P
     const auto start = std::chrono::steady_clock::now();
     try
     {
-        const std::optional<TopoDS_Face> moved = out_of_the_way(face, plies, boundaries, options);
+        const Result<InputFace> input = readable(face, plies, boundaries, options);
+        if (!input)
+            return input.failure();
+        const std::optional<TopoDS_Face> moved = out_of_the_way(face, input.value(), plies, boundaries, options);
         const TopoDS_Shape lay_up = moved ? TopoDS_Shape(*moved) : face;
         Result<PlyStackResult> result = PlyPipeline(lay_up, plies, boundaries, options).run();
         if (result)

@@ -142,7 +142,7 @@ struct PlyStackResult
 //! \return the stack, or the first refusal; nothing is made in part.
 //! Refusals: those of offset_stack and project_curve; InvalidOption for an option out of its range; NotSupported for a
 //! boundary that stands too far from the face, does not cut it or leaves several parts of it, an open boundary without a side, a ramp that would
-//! take too many poles, creased faces. Messages name the boundary.
+//! take too many poles, and for a creased face, which is told before any boundary is looked at. Messages name the boundary.
 Result<PlyStackResult> stack_plies(const TopoDS_Shape &face, const std::vector<PlySpec> &plies,
                                    const std::vector<PlyBoundary> &boundaries, const PlyStackOptions &options);
 

@@ -490,6 +490,42 @@ TEST(CreasedFace, ASeamThatIsSmoothEnoughStaysClosed)
     }
 }
 
+TEST(CreasedFace, ACreaseOfAFewKnotSpansIsSeen)
+{
+    constexpr int spans = 200;
+    std::vector<double> many;
+    for (int i = 0; i <= spans; ++i)
+        many.push_back(static_cast<double>(i) / spans);
+    // a flat sheet with a fold in it that begins and ends within 4 of 200 spans; and a tube with such a fold in its seam
+    const auto folded_at = [](double v, double from) { return v > from - 1e-9 && v < from + 0.9 / spans; };
+    for (const double from : {0.1, 0.485, 0.77})
+    {
+        const Handle(Geom_BSplineSurface) sheet =
+            spline(broken({0.0, 0.5, 1.0}, 3), broken(many, 1), [&](double u, double v) {
+                return gp_Pnt(100.0 * u, 1000.0 * v, folded_at(v, from) ? 10.0 * std::abs(u - 0.5) : 0.0);
+            });
+        const Handle(Geom_BSplineSurface) tube =
+            spline(broken({0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, 1), broken(many, 1), [&](double u, double v) {
+                const bool seam = u < 1e-9 || u > 6.0 - 1e-9, beside = !seam && (u < 0.5 || u > 5.5);
+                const double angle = u / 6.0 * 2.0 * M_PI;
+                const double x = seam && folded_at(v, from) ? 42.0 : seam || beside ? 40.0 : 40.0 * std::cos(angle);
+                return gp_Pnt(x, 1000.0 * v, seam ? 0.0 : 40.0 * std::sin(angle));
+            });
+        for (const Handle(Geom_BSplineSurface) & surface : {sheet, tube})
+            for (const double distance : {1.0, -1.0})
+            {
+                SCOPED_TRACE(testing::Message()
+                             << (surface == sheet ? "sheet " : "tube ") << from << " at " << distance);
+                const TopoDS_Face base = face_on(surface);
+                const auto result = offset(base, distance, tolerance);
+                ASSERT_TRUE(result.ok()) << why(result);
+                EXPECT_EQ(result.value().report.faces, 2);
+                ASSERT_TRUE(result.value().report.gap.has_value());
+                EXPECT_GT(*result.value().report.gap, 0.1);
+            }
+    }
+}
+
 TEST(CreasedFace, WhereOnlyTheParametrisationKinksItStaysOneFace)
 {
     // along u the same straight pace before and after 0.4 in space, but not in the parameter: G1 and no more

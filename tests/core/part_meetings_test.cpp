@@ -13,6 +13,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -222,6 +223,191 @@ TEST(PartsOfCreasedFaces, ANarrowWindowThatCrossesIsSeen)
         }
         EXPECT_EQ(opens, c.window ? 0 : 1);
     }
+}
+
+//! A profile in the plane y = 0 that is a straight arm and, past a crease, a cubic spline, extruded along y.
+TopoDS_Face arm_and_spline(const Polyline &arm, const Polyline &spline)
+{
+    const int count = static_cast<int>(spline.size());
+    TColStd_Array1OfReal knots(1, count), ends(1, 2);
+    TColStd_Array1OfInteger multiplicities(1, count), twice(1, 2);
+    for (int i = 1; i <= knots.Length(); ++i)
+    {
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == knots.Length() ? 4 : i == 2 ? 3 : 1;
+    }
+    ends(1) = 0.0, ends(2) = 1.0, twice(1) = twice(2) = 2;
+    Polyline line = arm;
+    line.insert(line.end(), spline.begin(), spline.end());
+    TColgp_Array2OfPnt net(1, static_cast<int>(line.size()), 1, 2);
+    for (int i = 1; i <= net.ColLength(); ++i)
+        for (int j = 1; j <= 2; ++j)
+            net(i, j) = gp_Pnt(line[static_cast<std::size_t>(i) - 1][0], j == 1 ? 0.0 : depth,
+                               line[static_cast<std::size_t>(i) - 1][1]);
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(net, knots, ends, multiplicities, twice, 3, 1), 1e-7);
+}
+
+//! On the side on which the parts cross at the crease.
+double crossing_side(const TopoDS_Face &face)
+{
+    const auto up = offset(face, 0.1, tolerance), down = offset(face, -0.1, tolerance);
+    EXPECT_TRUE(up.ok() && down.ok()) << why(up) << why(down);
+    EXPECT_NE(*up.value().report.crease, *down.value().report.crease);
+    return *up.value().report.crease == CreaseKind::Overlap ? 1.0 : -1.0;
+}
+
+TEST(PartsOfCreasedFaces, PartsThatCrossAtTheirCreaseAreComparedElsewhere)
+{
+    // the second part goes out from the crease at right angles and comes round again: its end stands upright 6 above the arm
+    const Polyline arm{{60, 0}, {40, 0}, {20, 0}, {0, 0}};
+    const TopoDS_Face plain = arm_and_spline(arm, {{0, 15}, {0, 30}, {20, 40}, {45, 35}, {50, 20}, {50, 6}});
+    for (const TopoDS_Face &face : {plain, TopoDS_Face(located(reversed(plain)))})
+    {
+        const double side = crossing_side(face);
+        for (const double distance : {0.5, 2.0, 4.0, 5.9})
+        {
+            SCOPED_TRACE(distance);
+            const auto near = offset(face, distance * side, tolerance);
+            ASSERT_TRUE(near.ok()) << why(near);
+            EXPECT_EQ(*near.value().report.crease, CreaseKind::Overlap);
+            EXPECT_TRUE(near.value().report.apart) << "the crossing at the crease is the only one";
+        }
+        for (const double distance : {6.1, 8.0})
+        {
+            SCOPED_TRACE(distance);
+            const auto far = offset(face, distance * side, tolerance);
+            ASSERT_FALSE(far.ok()) << "the end comes upon the arm";
+            EXPECT_EQ(far.failure().status, Status::SelfIntersection) << why(far);
+            EXPECT_EQ(far.failure().stage, Stage::Surface);
+            ASSERT_TRUE(far.failure().where.has_value());
+            // the one of the two places that is reported: below the end on the arm, or on the end itself
+            const gp_Pnt place = far.failure().where->point.Transformed(face.Location().Transformation().Inverted());
+            EXPECT_GT(place.X(), 30.0);
+        }
+        for (const double distance : {2.0, 8.0})
+            EXPECT_TRUE(offset(face, -distance * side, tolerance).ok());
+    }
+}
+
+TEST(PartsOfCreasedFaces, WhatGrowsOutOfTheCreaseIsItsOwnCrossing)
+{
+    // both parts are hollow towards each other, so that their crossing moves away from the crease faster than the distance
+    for (const double rise : {4.0, 10.0, 25.0, 60.0})
+    {
+        const TopoDS_Face face =
+            arm_and_spline({{60, 0}, {40, 0}, {20, 0}, {0, 0}}, {{20, rise}, {40, 1.2 * rise}, {60, rise}});
+        const double side = crossing_side(face);
+        for (const double distance : {0.2, 0.4 * std::min(rise, 20.0)})
+        {
+            SCOPED_TRACE(testing::Message() << rise << " at " << distance);
+            const auto made = offset(face, distance * side, tolerance);
+            ASSERT_TRUE(made.ok()) << why(made);
+            EXPECT_EQ(*made.value().report.crease, CreaseKind::Overlap);
+            EXPECT_TRUE(made.value().report.apart);
+        }
+    }
+}
+
+TEST(PartsOfCreasedFaces, RingsWithASharpSeamHaveSolidsWhereItOpens)
+{
+    // a section 100 long, smooth but for its sharp tail, where it begins and ends, turned about the z axis
+    const Polyline section{{130, 0},  {110, 3},  {80, 12},  {45, 16},  {30, 10}, {30, 0},
+                           {30, -10}, {45, -16}, {80, -12}, {110, -3}, {130, 0}};
+    TColgp_Array1OfPnt poles(1, 11);
+    TColStd_Array1OfReal knots(1, 9);
+    TColStd_Array1OfInteger multiplicities(1, 9);
+    for (int i = 1; i <= 11; ++i)
+        poles(i) =
+            gp_Pnt(section[static_cast<std::size_t>(i) - 1][0], 0.0, section[static_cast<std::size_t>(i) - 1][1]);
+    for (int i = 1; i <= 9; ++i)
+    {
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == 9 ? 4 : 1;
+    }
+    const Handle(Geom_Curve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    const Handle(Geom_Surface) ring = new Geom_SurfaceOfRevolution(profile, gp::OZ());
+    for (const double angle : {1.0, 2.0 * M_PI})
+        for (const bool turned : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << angle << ' ' << turned);
+            const TopoDS_Face plain = BRepBuilderAPI_MakeFace(ring, 0.0, angle, 0.0, 8.0, 1e-7);
+            const TopoDS_Face face = turned ? TopoDS_Face(located(reversed(plain))) : plain;
+            const double side = -crossing_side(face);
+            const auto made = solids(face, 1.0 * side);
+            ASSERT_TRUE(made.ok()) << made.failure().message;
+            for (const std::vector<TopoDS_Solid> &parts : made.value())
+                EXPECT_EQ(parts.size(), 2U);
+            const auto crossed = solids(face, -1.0 * side);
+            ASSERT_FALSE(crossed.ok());
+            EXPECT_EQ(crossed.failure().status, Status::KinkedSurface) << crossed.failure().message;
+        }
+}
+
+//! Two parabolas from their common tip at the origin, which rise by the given heights over a length of 50; the second one
+//! turned about the tip.
+TopoDS_Face cusp(double first, double second, double turn = 0.0)
+{
+    TColgp_Array2OfPnt net(1, 5, 1, 2);
+    const double x[] = {50, 25, 0, 25, 50}, z[] = {first, 0, 0, 0, second};
+    for (int i = 1; i <= 5; ++i)
+        for (int j = 1; j <= 2; ++j)
+        {
+            const double angle = i > 3 ? turn : 0.0, a = x[i - 1], h = z[i - 1];
+            net(i, j) = gp_Pnt(a * std::cos(angle) - h * std::sin(angle), j == 1 ? 0.0 : depth,
+                               a * std::sin(angle) + h * std::cos(angle));
+        }
+    TColStd_Array1OfReal knots(1, 3), ends(1, 2);
+    TColStd_Array1OfInteger multiplicities(1, 3), twice(1, 2);
+    for (int i = 1; i <= 3; ++i)
+        knots(i) = i - 1.0, multiplicities(i) = i == 2 ? 2 : 3;
+    ends(1) = 0.0, ends(2) = 1.0, twice(1) = twice(2) = 2;
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(net, knots, ends, multiplicities, twice, 2, 1), 1e-7);
+}
+
+TEST(PartsOfCreasedFaces, ACuspOpensOnTheSideOfItsSkinsAndCrossesBetweenThem)
+{
+    struct Case
+    {
+        double first, second, turn;
+        bool second_is_above; // or else below
+    };
+    for (const Case &c :
+         {Case{5, -5, 0.0, false}, Case{-5, 5, 0.0, true}, Case{2, 4, 0.0, true}, Case{4, 2, 0.0, false},
+          Case{5, -5, 1e-9, false}, Case{5, -5, -1e-9, false}, Case{-5, 5, 1e-13, true}, Case{-5, 5, -1e-13, true},
+          Case{5, -5, -1e-3, false}, Case{-5, 5, 1e-3, true}})
+        for (const bool turned : {false, true})
+        {
+            SCOPED_TRACE(testing::Message() << c.first << ' ' << c.second << ' ' << c.turn << ' ' << turned);
+            const TopoDS_Face plain = cusp(c.first, c.second, c.turn);
+            const TopoDS_Face face = turned ? TopoDS_Face(located(reversed(plain))) : plain;
+            // S_u x S_v of the first part is -x times y, which is downwards
+            const double above = turned ? 1.0 : -1.0;
+            const double crosses = c.second_is_above ? above : -above;
+            for (const double distance : {0.5, -0.5})
+            {
+                const auto made = offset(face, distance, tolerance);
+                ASSERT_TRUE(made.ok()) << why(made);
+                EXPECT_NEAR(*made.value().report.gap, 1.0, 0.02);
+                ASSERT_TRUE(made.value().report.crease.has_value());
+                EXPECT_EQ(*made.value().report.crease, distance * crosses > 0.0 ? CreaseKind::Overlap : CreaseKind::Gap)
+                    << distance;
+                if (distance * crosses > 0.0)
+                {
+                    const auto filled = solids(face, distance);
+                    ASSERT_FALSE(filled.ok());
+                    EXPECT_EQ(filled.failure().status, Status::KinkedSurface) << filled.failure().message;
+                }
+            }
+        }
+    for (const double distance :
+         {0.5, -0.5}) // a sheet folded flat: the offsets are on its two sides, whichever is which
+        for (const double rise : {0.0, 3.0})
+        {
+            const auto made = offset(cusp(rise, rise), distance, tolerance);
+            ASSERT_TRUE(made.ok()) << why(made);
+            ASSERT_TRUE(made.value().report.crease.has_value());
+            EXPECT_EQ(*made.value().report.crease, CreaseKind::Gap);
+        }
 }
 
 } // namespace

@@ -598,6 +598,57 @@ TopoDS_Wire polygon(const std::vector<gp_Pnt> &corners)
 
 } // namespace
 
+namespace
+{
+
+//! A roof of two planes, 200 by 100, whose ridge or valley runs along y at x = 0.
+TopoDS_Face roof(double slope)
+{
+    TColgp_Array2OfPnt poles(1, 3, 1, 2);
+    for (int i = 1; i <= 3; ++i)
+        for (int j = 1; j <= 2; ++j)
+            poles(i, j) = gp_Pnt(100.0 * (i - 2), 100.0 * (j - 1.5), -slope * 100.0 * std::abs(i - 2));
+    TColStd_Array1OfReal across(1, 3), along(1, 2);
+    TColStd_Array1OfInteger once(1, 3), twice(1, 2);
+    for (int i = 1; i <= 3; ++i)
+        across(i) = i - 1.0, once(i) = i == 2 ? 1 : 2;
+    along(1) = 0.0, along(2) = 1.0, twice(1) = twice(2) = 2;
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, across, along, once, twice, 1, 1), 1e-7);
+}
+
+} // namespace
+
+TEST(PlyStack, OnACreasedFaceTheCreaseIsWhatIsRefusedWhateverTheBoundary)
+{
+    const auto around = [](double x) {
+        return BRepBuilderAPI_MakeWire(
+                   BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(x, 0.0, 0.0), gp_Dir(0, 0, 1)), 30.0)))
+            .Wire();
+    };
+    for (const double slope : {0.5, -0.5, 3.0})
+        for (const double direction : {1.0, -1.0})
+            for (const double x : {0.0, 60.0, 500.0})
+                for (const double inset : {0.0, 2.0, 40.0})
+                {
+                    SCOPED_TRACE(testing::Message() << slope << ' ' << direction << ' ' << x << ' ' << inset);
+                    PlyStackOptions options = options_of(20.0);
+                    options.direction = direction;
+                    const std::vector<PlySpec> plies{{0.25, {}, 0.0}, {0.25, 0, inset}, {0.25, {}, 0.0}};
+                    const auto made =
+                        stack_plies(roof(slope), plies, {{"patch", around(x), PlySide::Inside, {}}}, options);
+                    ASSERT_FALSE(made.ok());
+                    EXPECT_EQ(made.failure().status, Status::NotSupported) << why(made);
+                    EXPECT_EQ(made.failure().stage, Stage::Analysis) << why(made);
+                    EXPECT_NE(made.failure().message.find("split the face along the crease"), std::string::npos)
+                        << why(made);
+                    ASSERT_TRUE(made.failure().where.has_value());
+                    EXPECT_NEAR(made.failure().where->point.X(), 0.0, 1e-6);
+                }
+    const auto flat = stack_plies(roof(1e-6), {{0.25, 0, 2.0}, {0.25, {}, 0.0}},
+                                  {{"patch", around(60.0), PlySide::Inside, {}}}, options_of(20.0));
+    EXPECT_TRUE(flat.ok()) << "a crease that tears nothing is none: " << why(flat);
+}
+
 TEST(PlyStack, InsetsKeepTheirDistanceInTheSurface)
 {
     // on a sphere a parallel of a circle about a point is a circle about it, known in closed form

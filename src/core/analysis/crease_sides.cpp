@@ -20,6 +20,13 @@ constexpr int intervals_per_knot = 8;
 constexpr int places_without_spline = 512;
 // Of a product of three tangents: what rounding may make of a determinant that vanishes.
 constexpr double rounding = 1e-12;
+// Normals as near to opposite ones as this sine make a cusp: which side lies above the other one, the determinant tells
+// less well than the sides themselves do, on steps into them of 2^-20 to 1/2 of their width.
+constexpr double cusp_sine = 1e-6;
+constexpr int shortest_step = 20;
+constexpr int foot_steps = 6;
+// Sides that differ by less than this part of their size lie on each other.
+constexpr double same_height = 1e-10;
 
 //! The range of a polynomial.
 struct Range
@@ -53,6 +60,12 @@ struct Sides
     [[nodiscard]] double determinant() const { return along.dot(before.cross(after)); }
     [[nodiscard]] Eigen::Vector3d normal_before() const { return before.cross(along); }
     [[nodiscard]] Eigen::Vector3d normal_after() const { return after.cross(along); }
+
+    [[nodiscard]] bool is_cusp() const
+    {
+        const Eigen::Vector3d one = normal_before(), other = normal_after();
+        return one.dot(other) < 0.0 && std::abs(determinant()) * along.norm() <= cusp_sine * one.norm() * other.norm();
+    }
 };
 
 //! One edge of two parts. Creases and seams run along parameter lines.
@@ -74,6 +87,8 @@ public:
         const bool ends_here = here_at > middle; // the edge is the one part's upper end
         m_before = {ends_here ? &one.base : &other.base, ends_here ? here_at : m_constant_u ? there.X() : there.Y()};
         m_after = {ends_here ? &other.base : &one.base, ends_here ? m_constant_u ? there.X() : there.Y() : here_at};
+        m_same_height = same_height * std::max(one.input.diagonal, other.input.diagonal) +
+                        one.base.model_error().point + other.base.model_error().point;
     }
 
     [[nodiscard]] double low() const { return m_low; }
@@ -94,6 +109,26 @@ public:
             result.push_back({m_constant_u ? before[i].v : before[i].u, m_constant_u ? before[i].u : before[i].v,
                               m_constant_u ? after[i].u : after[i].v});
         return result;
+    }
+
+    //! At a cusp, which has the sign of the determinant for what opens like it: that of the nearest place beside the edge
+    //! where one side lies clearly above the other. 0: they lie on each other.
+    [[nodiscard]] double cusp_sign(double t) const
+    {
+        const Sides at = sides({t}).front();
+        const Eigen::Vector3d up = at.normal_before().normalized();
+        const ParameterBox &box = m_after.base->box();
+        const double width = m_constant_u ? box.umax - box.umin : box.vmax - box.vmin;
+        for (int k = shortest_step; k > 0; --k)
+        {
+            const double step = std::ldexp(width, -k);
+            const Eigen::Vector3d target = point_at(m_after, m_after.parameter + step, t).s;
+            const std::optional<Eigen::Vector3d> rise =
+                from_before(target, m_before.parameter - step * at.after.norm() / at.before.norm(), t);
+            if (rise && std::abs(rise->dot(up)) > m_same_height)
+                return rise->dot(up) > 0.0 ? -1.0 : 1.0;
+        }
+        return 0.0;
     }
 
     //! Largest degree along the edge of one of the tangents, and the breaks between which they are polynomials.
@@ -129,6 +164,37 @@ private:
         double parameter = 0.0;
     };
 
+    [[nodiscard]] SurfaceJet point_at(const End &end, double across, double along) const
+    {
+        return m_constant_u ? end.base->jets({across}, {along}, 1).front()
+                            : end.base->jets({along}, {across}, 1).front();
+    }
+
+    //! The way to a point from its foot on the side before the edge, found from a place near it; nothing where that has none.
+    [[nodiscard]] std::optional<Eigen::Vector3d> from_before(const Eigen::Vector3d &target, double across,
+                                                             double along) const
+    {
+        const ParameterBox &box = m_before.base->box();
+        const auto inside = [&](double u, double v) {
+            return u >= box.umin && u <= box.umax && v >= box.vmin && v <= box.vmax;
+        };
+        for (int step = 0; step <= foot_steps; ++step)
+        {
+            if (!(m_constant_u ? inside(across, along) : inside(along, across)))
+                return std::nullopt;
+            const SurfaceJet jet = point_at(m_before, across, along);
+            const Eigen::Vector3d way = target - jet.s;
+            Eigen::Matrix<double, 3, 2> tangents;
+            tangents << (m_constant_u ? jet.u : jet.v), (m_constant_u ? jet.v : jet.u);
+            const Eigen::Vector2d move = tangents.colPivHouseholderQr().solve(way);
+            if ((tangents * move).norm() <= 0.5 * m_same_height)
+                return way;
+            across += move.x();
+            along += move.y();
+        }
+        return std::nullopt;
+    }
+
     [[nodiscard]] std::vector<SurfaceJet> jets(const End &end, const std::vector<double> &ts) const
     {
         const ParameterBox &box = end.base->box();
@@ -155,6 +221,7 @@ private:
     double m_low = 0.0;
     double m_high = 0.0;
     double m_parameter = 0.0;
+    double m_same_height = 0.0; //!< [mm]
     End m_before, m_after;
 };
 
@@ -163,8 +230,9 @@ class WindowSearch
 {
 public:
     //! \param sign of the determinant there.
-    WindowSearch(const SharedLine &line, double sign, double distance, double tolerance)
-        : m_line(line), m_sign(sign), m_distance(std::abs(distance)), m_tear(0.5 * tolerance)
+    //! \param opens is it where they move apart? At a cusp whose sides lie on each other they do.
+    WindowSearch(const SharedLine &line, double sign, bool opens, double distance, double tolerance)
+        : m_line(line), m_sign(sign), m_opens(opens), m_distance(std::abs(distance)), m_tear(0.5 * tolerance)
     {
     }
 
@@ -180,15 +248,20 @@ public:
         return std::nullopt;
     }
 
-    //! Is a place found, or every part of the line known to hold none?
-    [[nodiscard]] bool settled() const { return m_settled; }
+    //! A part of the line that is not known to hold none, if there is one.
+    [[nodiscard]] const std::optional<double> &open() const { return m_open; }
 
 private:
-    [[nodiscard]] bool is_window(const Sides &sides) const
+    [[nodiscard]] bool is_window(const Sides &sides, double t) const
     {
         const Eigen::Vector3d one = sides.normal_before(), other = sides.normal_after();
-        return m_sign * sides.determinant() > 0.0 && one.norm() > 0.0 && other.norm() > 0.0 &&
-               m_distance * (other.normalized() - one.normalized()).norm() > m_tear;
+        if (!(one.norm() > 0.0) || !(other.norm() > 0.0) ||
+            m_distance * (other.normalized() - one.normalized()).norm() <= m_tear)
+            return false;
+        if (!sides.is_cusp())
+            return m_sign * sides.determinant() > 0.0;
+        const double sign = m_line.cusp_sign(t);
+        return sign == 0.0 ? m_opens : m_sign * sign > 0.0;
     }
 
     [[nodiscard]] std::optional<double> seen_between(double low, double high, int count) const
@@ -198,7 +271,7 @@ private:
             ts.push_back(low + (high - low) * (k + 0.5) / count);
         const std::vector<Sides> sides = m_line.sides(ts);
         for (std::size_t k = 0; k < ts.size(); ++k)
-            if (is_window(sides[k]))
+            if (is_window(sides[k], ts[k]))
                 return ts[k];
         return std::nullopt;
     }
@@ -210,7 +283,7 @@ private:
             return std::nullopt;
         if (++m_intervals > m_budget)
         {
-            m_settled = false;
+            m_open = 0.5 * (low + high);
             return std::nullopt;
         }
         const int points = points_per_degree * 4 * m_line.degree() + 1;
@@ -219,17 +292,17 @@ private:
             ts.push_back(0.5 * (low + high) - 0.5 * (high - low) * std::cos(M_PI * (k + 0.5) / points));
         const std::vector<Sides> sides = m_line.sides(ts);
         for (std::size_t k = 0; k < ts.size(); ++k)
-            if (is_window(sides[k]))
+            if (is_window(sides[k], ts[k]))
                 return ts[k];
-        if (holds_none(sides))
-            return std::nullopt;
         const double middle = 0.5 * (low + high);
+        if (holds_none(sides, middle))
+            return std::nullopt;
         const std::optional<double> found = within(low, middle, halvings + 1);
         return found ? found : within(middle, high, halvings + 1);
     }
 
     //! Do the values at the Chebyshev points prove that there is no window between them?
-    [[nodiscard]] bool holds_none(const std::vector<Sides> &sides)
+    [[nodiscard]] bool holds_none(const std::vector<Sides> &sides, double middle)
     {
         Range determinant, along, one, other, together;
         for (const Sides &s : sides)
@@ -244,14 +317,16 @@ private:
         const double factor = 1.0 / std::cos(0.5 * M_PI / points_per_degree);
         for (Range *range : {&determinant, &along, &one, &other, &together})
             range->widen(factor);
+        const double turn = std::max(std::abs(determinant.low), std::abs(determinant.high));
+        if (together.high < 0.0 && one.low > 0.0 && other.low > 0.0 &&
+            turn * std::sqrt(along.high) <= cusp_sine * std::sqrt(one.low * other.low))
+        {
+            m_open = middle; // a cusp all along: it has been looked at in places only
+            return true;
+        }
         const double noise = along.low > 0.0 ? rounding * std::sqrt(one.high * other.high / along.low) : 0.0;
         if (determinant.high <= noise && (determinant.low < -noise || together.low > 0.0))
             return true;
-        if (determinant.high <= noise && together.high < 0.0) // a cusp: its normals are opposite all along
-        {
-            m_settled = false;
-            return true;
-        }
         if (!(one.low > 0.0) || !(other.low > 0.0) || !(together.low > 0.0))
             return false;
         const double sine = determinant.high * std::sqrt(along.high / (one.low * other.low));
@@ -260,11 +335,12 @@ private:
 
     const SharedLine &m_line;
     double m_sign;
+    bool m_opens;
     double m_distance;
     double m_tear;
     int m_intervals = 0;
     int m_budget = most_intervals;
-    bool m_settled = true;
+    std::optional<double> m_open;
 };
 
 std::vector<const TrimmingCurve *> curves_of(const InputFace &input)
@@ -282,11 +358,14 @@ CreaseEdge judged(const SharedLine &line, double distance, double tolerance)
 {
     CreaseEdge edge;
     const double opening = (line.constant_u() ? 1.0 : -1.0) * (distance < 0.0 ? -1.0 : 1.0);
-    WindowSearch gap(line, opening, distance, tolerance), overlap(line, -opening, distance, tolerance);
+    WindowSearch gap(line, opening, true, distance, tolerance), overlap(line, -opening, false, distance, tolerance);
     edge.opens = gap.run().has_value();
     if (const std::optional<double> t = overlap.run())
         edge.crosses = line.place(*t);
-    edge.settled = (edge.opens || gap.settled()) && (edge.crosses || overlap.settled());
+    if (!edge.opens && gap.open())
+        edge.open = line.place(*gap.open());
+    if (!edge.crosses && overlap.open())
+        edge.open = line.place(*overlap.open());
     return edge;
 }
 
@@ -306,6 +385,8 @@ std::vector<CreaseEdge> crease_edges(const std::vector<CreasedPart> &parts, doub
                         edge.first = i;
                         edge.second = j;
                         edge.edge = a->edge;
+                        const double middle = 0.5 * (a->first + a->last);
+                        edge.shift = gp_Vec2d(b->pcurve->Value(middle), a->pcurve->Value(middle));
                     }
     return edges;
 }

@@ -9,12 +9,16 @@
 //! interval is halved until the sides are proven to keep within half of the tolerance or on the right side of each other, or
 //! until a place is computed where they do not: however narrow a window is, it is seen if it is deeper than that. An edge is
 //! not settled where the search runs out of intervals, and at a cusp, where the determinant vanishes between opposite
-//! normals; what is shorter than 2^-24 of a knot interval is not looked at.
+//! normals. There the sides themselves tell: where the one lies above the other along its own normal, the offsets of both cross
+//! on that side and move apart on the other; where they lie on each other, as a sheet folded flat, they move apart on both. That is
+//! seen at places, not proven; what is shorter than 2^-24 of a knot interval is not looked at.
 #pragma once
 
 #include "base_surface.h"
 
 #include "../base/crease_kind.h"
+
+#include <gp_Vec2d.hxx>
 
 #include <optional>
 #include <vector>
@@ -35,9 +39,10 @@ struct CreaseEdge
     std::size_t first = 0; //!< index of the one part
     std::size_t second = 0;
     TopoDS_Edge edge;                //!< as it stands in the first part
+    gp_Vec2d shift;                  //!< takes the second part's parameters of the edge to those of the first
     bool opens = false;              //!< somewhere the parts move apart
     std::optional<gp_Pnt2d> crosses; //!< a place in the first part's parameters where they cross each other
-    bool settled = true;             //!< false: nothing was found, but parts of the edge stay open
+    std::optional<gp_Pnt2d> open;    //!< such a place where neither could be found nor ruled out
 };
 
 //! All edges that two of the parts share. On a base without spline or model the edges are looked at in 512 places.

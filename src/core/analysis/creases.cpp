@@ -17,7 +17,9 @@ namespace
 constexpr double crease_step = 1e-8;
 // So far to both sides it has to be inside the loops: an edge along the knot line misses it by less.
 constexpr double inside_step = 1e-6;
-constexpr int probes_per_interval = 33;
+constexpr int probes_per_stretch = 33;
+// Between two knots the normals' sine is a polynomial over weights and lengths: what is not zero shows in one of these.
+constexpr int probes_per_span = 7;
 // A loop that ends beside a knot line ends on it when it is as near as this part of the box.
 constexpr double same_line = 1e-7;
 
@@ -36,14 +38,32 @@ double angle_between(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-//! Parameters along the line, all over each of its intervals inside the loops.
-std::vector<double> probes_inside(const LoopRegion &region, bool constant_u, double parameter)
+//! Parameters all over one stretch of a line, some between each two of the knots that it crosses.
+std::vector<double> probes_between(double low, double high, const std::vector<double> &knots)
 {
+    std::vector<double> ends{low};
+    for (const double knot : knots)
+        if (knot > low && knot < high)
+            ends.push_back(knot);
+    ends.push_back(high);
+    const int spans = static_cast<int>(ends.size()) - 1;
+    const int each = std::max(probes_per_span, (probes_per_stretch + spans - 1) / spans);
+    std::vector<double> probes;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        for (int k = 0; k < each; ++k)
+            probes.push_back(ends[i] + (ends[i + 1] - ends[i]) * (k + 0.5) / each);
+    return probes;
+}
+
+//! Parameters along the line, all over each of its stretches inside the loops.
+std::vector<double> probes_inside(const BaseSurface &base, const LoopRegion &region, bool constant_u, double parameter)
+{
+    const std::vector<double> knots = constant_u ? base.interval_ends_v() : base.interval_ends_u();
     const std::vector<double> ends = region.crossings(constant_u, parameter);
     std::vector<double> probes;
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-        for (int k = 0; k < probes_per_interval; ++k)
-            probes.push_back(ends[i] + (ends[i + 1] - ends[i]) * (k + 0.5) / probes_per_interval);
+        for (const double along : probes_between(ends[i], ends[i + 1], knots))
+            probes.push_back(along);
     return probes;
 }
 
@@ -56,7 +76,7 @@ CreaseLine sharpest(const BaseSurface &base, const LoopRegion &region, bool cons
     const auto place = [&](double along, double side) {
         return constant_u ? gp_Pnt2d(parameter + side * width, along) : gp_Pnt2d(along, parameter + side * width);
     };
-    const std::vector<double> along = probes_inside(region, constant_u, parameter);
+    const std::vector<double> along = probes_inside(base, region, constant_u, parameter);
     if (along.empty())
         return worst;
     const double step = crease_step * width;
@@ -130,6 +150,18 @@ double opposite(const std::vector<double> &knots, double low, double high)
     return best;
 }
 
+//! Parameters of a seam's curve all over it, some between each two of the knots that it crosses.
+std::vector<double> probes_on(const TrimmingCurve &curve, bool constant_u, const std::vector<double> &knots)
+{
+    const int along = constant_u ? 2 : 1;
+    const double start = curve.pcurve->Value(curve.first).Coord(along),
+                 end = curve.pcurve->Value(curve.last).Coord(along);
+    std::vector<double> probes = probes_between(std::min(start, end), std::max(start, end), knots);
+    for (double &probe : probes) // seams run along parameter lines
+        probe = curve.first + (curve.last - curve.first) * (probe - start) / (end - start);
+    return probes;
+}
+
 //! The largest jump of the normal across a seam.
 CreaseLine sharpest(const BaseSurface &base, const Seam &seam)
 {
@@ -148,9 +180,9 @@ CreaseLine sharpest(const BaseSurface &base, const Seam &seam)
         uv.SetCoord(across, uv.Coord(across) + steps * inwards * (high - low));
         return base.unit_normal(base.jets({uv.X()}, {uv.Y()}, 1).front(), uv.X(), uv.Y());
     };
-    for (int k = 0; k < probes_per_interval; ++k)
+    const std::vector<double> knots = worst.constant_u ? base.interval_ends_v() : base.interval_ends_u();
+    for (const double t : probes_on(*seam.one, worst.constant_u, knots))
     {
-        const double t = seam.one->first + (seam.one->last - seam.one->first) * (k + 0.5) / probes_per_interval;
         const Normal before = at_line(normal(*seam.one, t, 1.0), normal(*seam.one, t, 2.0));
         const Normal after = at_line(normal(*seam.other, t, 1.0), normal(*seam.other, t, 2.0));
         if (!before || !after)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "part_meetings.h"
 
+#include "meeting_search.h"
 #include "parameter_periods.h"
 #include "patch_tree.h"
 
@@ -18,21 +19,19 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int most_pairs = 60000; // of two parts
 constexpr int most_newton_starts = 2000;
 constexpr int newton_steps = 16;
-// Newton's method is tried once in so many halvings of a pair.
-constexpr int newton_interval = 3;
-// Patches of this part of the tolerance are as good as points.
-constexpr double resolution_share = 0.5;
-// Base points of a meeting lie apart by at least this part of the distance.
-constexpr double least_separation = 0.2;
-// Points that coincide to this part of the face's size are one point.
-constexpr double coincidence = 1e-10;
 // Patches are judged beside a crease from which they lie no farther away than so many times their width.
 constexpr double nearest_widths = 8.0;
 // Parts end at one crease when their loops do within this part of their width.
 constexpr double same_line = 1e-6;
+// A meeting is followed to this part of the distance, in steps that take a fifth of what is left off at most. A step is
+// halved where its end is off by more than a quarter of its length from where its start points, and doubled again after.
+constexpr double least_part = 1e-3;
+constexpr double longest_step = 0.2;
+constexpr double shortest_step = longest_step / 4096.0;
+constexpr double most_bend = 0.25;
+constexpr int most_steps = 500;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -59,19 +58,17 @@ struct Reach
     [[nodiscard]] double largest() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
+Reach operator-(const Reach &a, const Reach &b) { return {a.low - b.high, a.high - b.low}; }
+
+Reach operator*(const Reach &a, const Reach &b)
+{
+    const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+    return {low, high};
+}
+
 double largest_length(const Eigen::AlignedBox3d &box)
 {
     return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
-}
-
-ParameterBox hull(const ParameterBox &a, const ParameterBox &b)
-{
-    return {std::min(a.umin, b.umin), std::max(a.umax, b.umax), std::min(a.vmin, b.vmin), std::max(a.vmax, b.vmax)};
-}
-
-ParameterBox shifted(const ParameterBox &box, double du, double dv)
-{
-    return {box.umin + du, box.umax + du, box.vmin + dv, box.vmax + dv};
 }
 
 //! The shifts of a parameter to look at.
@@ -194,6 +191,22 @@ public:
                 near.v + height * (far.v - near.v), far.s - near.s};
     }
 
+    //! The same at a part of the far surface's distance, with respect to which the last one is.
+    [[nodiscard]] std::array<Eigen::Vector3d, 4> jet_at(double u, double v, double part) const
+    {
+        const SurfaceJet far = m_part.far.jets({u}, {v}, 1).front(), own = base(u, v);
+        return {own.s + part * (far.s - own.s), own.u + part * (far.u - own.u), own.v + part * (far.v - own.v),
+                far.s - own.s};
+    }
+
+    //! The same where the part does not change.
+    [[nodiscard]] std::array<Eigen::Vector3d, 4> still_at(double u, double v, double part) const
+    {
+        auto jet = jet_at(u, v, part);
+        jet[3].setZero();
+        return jet;
+    }
+
     [[nodiscard]] SurfaceJet base(double u, double v) const { return m_part.analysis.base.jets({u}, {v}, 1).front(); }
 
 private:
@@ -277,6 +290,16 @@ public:
         return step;
     }
 
+    //! Do the slopes across the crease, at places equally far along it, differ all over the two patches in one sense? Then
+    //! the surfaces come upon each other once at most for each place along.
+    [[nodiscard]] bool slopes_apart() const
+    {
+        if (m_before.size() != 1 || m_after.size() != 1)
+            return false;
+        const Reach before = slope(m_before.front()), after = slope(m_after.front());
+        return before.high < after.low || after.high < before.low;
+    }
+
     Eigen::Vector3d row_across;
     Eigen::Vector3d row_along;
     double least_across = infinity;
@@ -294,6 +317,19 @@ public:
     }
 
 private:
+    //! Height over way across, where the way along stays the same.
+    [[nodiscard]] Reach slope(const PatchBounds &bounds) const
+    {
+        const Eigen::Vector3d height = row_across.cross(row_along).normalized();
+        const auto of = [](const Eigen::Vector3d &row, const Eigen::AlignedBox3d &box) { return Reach::of(row, box); };
+        const Eigen::AlignedBox3d &a = across(bounds), &l = along(bounds);
+        const Reach rise = of(height, a) * of(row_along, l) - of(height, l) * of(row_along, a);
+        const Reach way = of(row_across, a) * of(row_along, l) - of(row_across, l) * of(row_along, a);
+        if (way.low <= 0.0)
+            return {-infinity, infinity};
+        return rise * Reach{1.0 / way.high, 1.0 / way.low};
+    }
+
     bool m_constant_u;
     std::vector<PatchBounds> m_before;
     std::vector<PatchBounds> m_after;
@@ -327,15 +363,44 @@ double farthest_base_points(const CreaseNeighbours &pair)
     return x * largest_length(frame.across(base)) + y * largest_length(frame.along(base));
 }
 
+//! Do two patches beside a crease at which the surfaces cross come upon each other along one line at most, which is the
+//! crossing at the crease?
+bool cross_once(const CreaseNeighbours &pair)
+{
+    CreaseFrame frame(pair);
+    return frame.make() && frame.slopes_apart();
+}
+
+//! Two parts, by their numbers, and what they have in common.
+struct Neighbourhood
+{
+    std::size_t first = 0;
+    std::size_t second = 0;
+    //! Shifts of the second part's parameters that continue those of the first one across an edge of both.
+    std::vector<gp_Vec2d> shifts;
+    bool crosses = false; //!< at such an edge, or at an end of one, they are known to cross
+};
+
 //! The search through the patches of two parts.
 class PairOfParts
 {
 public:
-    PairOfParts(Body &one, Body &other, const PartMeetingQuery &query)
-        : m_one(one), m_other(other), m_query(query),
-          m_least_apart(std::max(least_separation * std::abs(query.distance), 4.0 * query.tolerance)),
-          m_resolution(resolution_share * query.tolerance)
+    PairOfParts(Body &one, Body &other, const PartMeetingQuery &query, const Neighbourhood &around)
+        : m_one(one), m_other(other), m_query(query), m_shifts(around.shifts), m_crosses(around.crosses),
+          m_least_apart(least_apart(query.distance, query.tolerance)), m_resolution(resolution_share * query.tolerance),
+          m_first(around.first), m_second(around.second)
     {
+        const auto known = [this](const gp_Vec2d &shift) {
+            return std::any_of(m_shifts.begin(), m_shifts.end(),
+                               [&](const gp_Vec2d &one_known) { return (shift - one_known).Magnitude() < same_line; });
+        };
+        for (const double u : shifts(one.periods().u))
+            for (const double v : shifts(one.periods().v))
+                if (!known({u, v}))
+                    m_shifts.emplace_back(u, v);
+        const ParameterBox &a = one.part().input.box, &b = other.part().input.box;
+        m_low << a.umin, a.vmin, 0.0, b.umin, b.vmin, 0.0;
+        m_high << a.umax, a.vmax, 1.0, b.umax, b.vmax, 1.0;
     }
 
     void run(PartMeetingSearch &result)
@@ -344,17 +409,18 @@ public:
         int pairs = 0;
         for (; !open.empty() && !m_meeting; open.pop_front())
         {
+            const auto [a, b] = open.front();
             if (++pairs > most_pairs)
             {
-                m_settled = false;
+                leave_open(a, b);
                 break;
             }
-            const auto [a, b] = open.front();
             examine(a, b, open);
         }
-        result.settled = result.settled && m_settled;
-        if (m_meeting)
-            result.meeting = m_meeting;
+        result.settled = result.settled && !m_open;
+        result.meeting = m_meeting;
+        if (!result.open)
+            result.open = m_open;
     }
 
 private:
@@ -367,16 +433,22 @@ private:
             return;
         const double size_a = size(m_one, a), size_b = size(m_other, b);
         if (std::max(size_a, size_b) < m_resolution)
-        {
-            m_settled = false;
-            return;
-        }
+            return leave_open(a, b);
         const bool first_is_larger = size_a >= size_b;
         PatchTree &tree = first_is_larger ? m_one.tree() : m_other.tree();
         const int larger = first_is_larger ? a : b;
         tree.split(larger);
         for (const int half : {tree.node(larger).lower, tree.node(larger).upper})
             open.push_back(first_is_larger ? std::pair{half, b} : std::pair{a, half});
+    }
+
+    void leave_open(int a, int b)
+    {
+        const ParameterBox &one = m_one.box(a), &other = m_other.box(b);
+        m_open = PartMeeting{m_first,
+                             {0.5 * (one.umin + one.umax), 0.5 * (one.vmin + one.vmax)},
+                             m_second,
+                             {0.5 * (other.umin + other.umax), 0.5 * (other.vmin + other.vmax)}};
     }
 
     [[nodiscard]] static double size(Body &body, int index)
@@ -425,26 +497,26 @@ private:
     //! Are the patches beside a crease or seam that both parts end at, and apart but for base points that are as good as one?
     [[nodiscard]] bool beside_crease(const ParameterBox &a, const ParameterBox &b)
     {
-        for (const double u : shifts(m_one.periods().u))
-            for (const double v : shifts(m_one.periods().v))
-                for (const bool constant_u : {true, false})
-                    if (settled_there(a, b, u, v, constant_u))
-                        return true;
+        for (const gp_Vec2d &shift : m_shifts)
+            for (const bool constant_u : {true, false})
+                if (settled_there(a, b, shift, constant_u))
+                    return true;
         return false;
     }
 
-    //! The same with the other part's parameters shifted by (u, v), at a crease of constant u or v.
-    [[nodiscard]] bool settled_there(const ParameterBox &a, const ParameterBox &b, double u, double v, bool constant_u)
+    //! The same with the other part's parameters shifted, at a crease of constant u or v.
+    [[nodiscard]] bool settled_there(const ParameterBox &a, const ParameterBox &b, const gp_Vec2d &shift,
+                                     bool constant_u)
     {
         const ParameterBox &one = m_one.part().input.box;
-        const ParameterBox other = shifted(m_other.part().input.box, u, v);
+        const ParameterBox other = shifted(m_other.part().input.box, shift.X(), shift.Y());
         const double near = same_line * (constant_u ? one.umax - one.umin : one.vmax - one.vmin);
         const auto meet = [&](double end, double start) { return std::abs(end - start) < near; };
         const bool one_first = constant_u ? meet(one.umax, other.umin) : meet(one.vmax, other.vmin);
         const bool other_first = constant_u ? meet(other.umax, one.umin) : meet(other.vmax, one.vmin);
         if (!one_first && !other_first)
             return false;
-        const ParameterBox there = shifted(b, u, v), both = hull(a, there);
+        const ParameterBox there = shifted(b, shift.X(), shift.Y()), both = hull(a, there);
         const double widest_u = std::max(a.umax - a.umin, b.umax - b.umin);
         const double widest_v = std::max(a.vmax - a.vmin, b.vmax - b.vmin);
         const double length = constant_u ? both.vmax - both.vmin : both.umax - both.umin;
@@ -460,11 +532,13 @@ private:
         if (before.umin >= before.umax || before.vmin >= before.vmax || after.umin >= after.umax ||
             after.vmin >= after.vmax)
             return false;
-        if (one_first)
-            return covered(m_one, before, constant_u) && covered(m_other, shifted(after, -u, -v), constant_u) &&
-                   farthest_base_points({m_one, m_other, before, shifted(after, -u, -v), constant_u}) < m_least_apart;
-        return covered(m_one, after, constant_u) && covered(m_other, shifted(before, -u, -v), constant_u) &&
-               farthest_base_points({m_other, m_one, shifted(before, -u, -v), after, constant_u}) < m_least_apart;
+        ParameterBox &of_other = one_first ? after : before;
+        of_other = shifted(of_other, -shift.X(), -shift.Y());
+        if (!covered(m_one, one_first ? before : after, constant_u) || !covered(m_other, of_other, constant_u))
+            return false;
+        const CreaseNeighbours pair{one_first ? m_one : m_other, one_first ? m_other : m_one, before, after,
+                                    constant_u};
+        return farthest_base_points(pair) < m_least_apart || (m_crosses && cross_once(pair));
     }
 
     //! Has the part a surface along the whole rectangle?
@@ -491,21 +565,18 @@ private:
             return std::pair{m_one.jet(p[0], p[1], p[2]), m_other.jet(p[3], p[4], p[5])};
         };
         const std::optional<Places> place = solve(on, start);
-        if (!place || !inside(*place) || base_gap(*place) < m_least_apart || base_meets(*place))
+        if (!place || !inside(*place) || base_gap(*place) < m_least_apart || base_meets(*place) ||
+            (m_crosses && comes_from_crease(*place)))
             return false;
-        m_meeting = PartMeeting{0, {(*place)[0], (*place)[1]}, 0, {(*place)[3], (*place)[4]}};
+        m_meeting = PartMeeting{m_first, {(*place)[0], (*place)[1]}, m_second, {(*place)[3], (*place)[4]}};
         return true;
     }
 
     //! Newton's method with shortest steps, inside the boxes of the loops.
     template <typename Jets> [[nodiscard]] std::optional<Places> solve(const Jets &jets, Places place) const
     {
-        const ParameterBox &a = m_one.part().input.box, &b = m_other.part().input.box;
-        Places low, high;
-        low << a.umin, a.vmin, 0.0, b.umin, b.vmin, 0.0;
-        high << a.umax, a.vmax, 1.0, b.umax, b.vmax, 1.0;
-        const Places scale = high - low;
-        place = place.cwiseMax(low).cwiseMin(high);
+        const Places scale = m_high - m_low;
+        place = place.cwiseMax(m_low).cwiseMin(m_high);
         const double close = coincidence * std::max(m_one.part().input.diagonal, m_other.part().input.diagonal);
         for (int step = 0; step < newton_steps; ++step)
         {
@@ -517,7 +588,7 @@ private:
             jacobian << one[1], one[2], one[3], -other[1], -other[2], -other[3];
             jacobian *= scale.asDiagonal();
             const Places move = jacobian.completeOrthogonalDecomposition().solve(residual);
-            place = (place - scale.cwiseProduct(move)).cwiseMax(low).cwiseMin(high).eval();
+            place = (place - scale.cwiseProduct(move)).cwiseMax(m_low).cwiseMin(m_high).eval();
         }
         return std::nullopt;
     }
@@ -552,6 +623,55 @@ private:
         return a.u.cross(a.v).normalized().cross(b.u.cross(b.v).normalized()).norm() > 1e-3;
     }
 
+    //! Does a meeting come from where the parts cross at a crease? With the distance that goes to zero, and its places with
+    //! it run together; any other meeting ends on the way. This excuses a meeting, but settles nothing.
+    [[nodiscard]] bool comes_from_crease(Places place) const
+    {
+        double part = 1.0, step = longest_step;
+        for (int steps = 0; part > least_part && steps < most_steps; ++steps)
+        {
+            const std::optional<Places> moved = followed(place, part, part * (1.0 - step));
+            if (moved)
+            {
+                place = *moved;
+                part *= 1.0 - step;
+                step = std::min(longest_step, 2.0 * step);
+            }
+            else if ((step *= 0.5) < shortest_step)
+                return false;
+        }
+        return true;
+    }
+
+    //! The meeting at another part of the distance, as far as it lies where this one moves to.
+    [[nodiscard]] std::optional<Places> followed(const Places &place, double part, double next) const
+    {
+        const auto one = m_one.jet_at(place[0], place[1], part), other = m_other.jet_at(place[3], place[4], part);
+        Eigen::Matrix<double, 3, 4> jacobian;
+        jacobian << one[1], one[2], -other[1], -other[2];
+        const Eigen::Vector4d widths = (m_high - m_low)(std::array{0, 1, 3, 4});
+        jacobian *= widths.asDiagonal();
+        const Eigen::Vector4d move =
+            widths.cwiseProduct(jacobian.completeOrthogonalDecomposition().solve((next - part) * (other[3] - one[3])));
+        Places start = place;
+        start(std::array{0, 1, 3, 4}) += move;
+        const auto on = [this, next](const Places &p) {
+            return std::pair{m_one.still_at(p[0], p[1], next), m_other.still_at(p[3], p[4], next)};
+        };
+        const std::optional<Places> found = solve(on, start);
+        if (!found ||
+            farthest_moved(start.cwiseMax(m_low).cwiseMin(m_high), *found) > most_bend * farthest_moved(place, *found))
+            return std::nullopt;
+        return found;
+    }
+
+    //! Of the two base points.
+    [[nodiscard]] double farthest_moved(const Places &from, const Places &to) const
+    {
+        return std::max((m_one.base(from[0], from[1]).s - m_one.base(to[0], to[1]).s).norm(),
+                        (m_other.base(from[3], from[4]).s - m_other.base(to[3], to[4]).s).norm());
+    }
+
     [[nodiscard]] static bool on_border(const Body &body, double u, double v)
     {
         const ParameterBox &box = body.part().input.box;
@@ -562,12 +682,26 @@ private:
     Body &m_one;
     Body &m_other;
     const PartMeetingQuery &m_query;
+    std::vector<gp_Vec2d> m_shifts;
+    bool m_crosses;
+    Places m_low, m_high; //!< the boxes of the loops
     double m_least_apart;
     double m_resolution;
     int m_newton_starts = 0;
-    bool m_settled = true;
+    std::size_t m_first, m_second; //!< the parts' numbers
+    std::optional<PartMeeting> m_open;
     std::optional<PartMeeting> m_meeting;
 };
+
+Neighbourhood neighbourhood(const PartMeetingQuery &query, std::size_t one, std::size_t other)
+{
+    Neighbourhood around{one, other, {}, false};
+    for (const CreaseEdge &edge : query.edges)
+        if (edge.first == one && edge.second == other)
+            around.shifts.push_back(edge.shift);
+    around.crosses = query.cross && query.cross(one, other);
+    return around;
+}
 
 } // namespace
 
@@ -589,15 +723,9 @@ PartMeetingSearch find_part_meeting(const PartMeetingQuery &query)
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = i + 1; j < bodies.size(); ++j)
         {
-            if (query.excused && query.excused(i, j))
-                continue;
-            PairOfParts(bodies[i], bodies[j], query).run(result);
+            PairOfParts(bodies[i], bodies[j], query, neighbourhood(query, i, j)).run(result);
             if (result.meeting)
-            {
-                result.meeting->first_part = i;
-                result.meeting->second_part = j;
                 return result;
-            }
         }
     return result;
 }

@@ -12,9 +12,16 @@
 //! - when neither patch touches the inside of its loops.
 //! Else the longer patch is halved. As in self_intersection.h a meeting is reported only when it has been computed, with
 //! base points that lie apart by a good part of the distance. Pairs that stay open to the end count as apart, and the result
-//! says so. What parts do at their common creases themselves is judged by crease_sides.h.
+//! says so.
+//!
+//! What parts do at their common creases themselves is judged by crease_sides.h. Where they cross there, that crossing is no
+//! news, but another one is. Beside such a crease a pair is settled, too, when the slopes of both sides differ in one
+//! sense all over, from the crease on: then the surfaces come upon each other along one line at most, which is the crossing at the
+//! crease. A meeting that has been computed is followed to smaller distances. That of the crease shrinks into it; any other
+//! one ends on the way and is reported.
 #pragma once
 
+#include "crease_sides.h"
 #include "surface_analysis.h"
 
 #include <functional>
@@ -38,8 +45,9 @@ struct PartMeetingQuery
     std::vector<MeetingPart> parts;
     double distance = 0.0;  //!< of the far surface along S_u x S_v [mm]; below twice the tolerance nothing is examined
     double tolerance = 0.0; //!< of the offset [mm]
-    //! Pairs of parts that are known to cross, and are not looked at; empty: all are.
-    std::function<bool(std::size_t, std::size_t)> excused;
+    std::vector<CreaseEdge> edges; //!< of two parts; empty: parts have none in common
+    //! Pairs of parts that are known to cross at a crease or at an end of one; empty: none.
+    std::function<bool(std::size_t, std::size_t)> cross;
 };
 
 //! Two places inside the loops of two parts that come to one point.
@@ -55,6 +63,7 @@ struct PartMeetingSearch
 {
     std::optional<PartMeeting> meeting;
     bool settled = true; //!< false: some pairs were still open at the end, or a base has neither spline nor model
+    std::optional<PartMeeting> open; //!< places of such a pair
 };
 
 PartMeetingSearch find_part_meeting(const PartMeetingQuery &query);

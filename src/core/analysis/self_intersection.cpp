@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "self_intersection.h"
 
+#include "meeting_search.h"
 #include "meeting_step.h"
 #include "parameter_periods.h"
 #include "patch_tree.h"
@@ -18,20 +19,11 @@ namespace laminate_offset
 namespace
 {
 
-constexpr int most_pairs = 60000;
 constexpr int most_newton_starts = 400;
 constexpr int newton_steps = 12;
 // After these steps the residual has to halve at every further one.
 constexpr int free_newton_steps = 3;
-// A pair of pieces is tried by Newton's method once in so many halvings.
-constexpr int newton_interval = 3;
 constexpr int deepest_self = 14;
-// Boxes of this part of the tolerance are as good as points.
-constexpr double resolution_share = 0.5;
-// Base points of a meeting lie apart by at least this part of the distance (normals by some ten degrees).
-constexpr double least_separation = 0.2;
-// Offset points that coincide to this part of the face's size are one point.
-constexpr double coincidence = 1e-10;
 // Normals at a pole that differ less than this (cosine) belong to one cap.
 constexpr double cap_cosine = 0.5;
 
@@ -48,27 +40,17 @@ std::pair<double, double> nearest_shift(double a0, double a1, double b0, double 
     return best;
 }
 
-ParameterBox hull(const ParameterBox &a, const ParameterBox &b)
-{
-    return {std::min(a.umin, b.umin), std::max(a.umax, b.umax), std::min(a.vmin, b.vmin), std::max(a.vmax, b.vmax)};
-}
-
-ParameterBox shifted(const ParameterBox &box, double du, double dv)
-{
-    return {box.umin + du, box.umax + du, box.vmin + dv, box.vmax + dv};
-}
-
 //! Newton's method with shortest steps for f(p) = f(q), on the offset or on the base.
 class MeetingSolver
 {
 public:
-    explicit MeetingSolver(const SelfIntersectionQuery &query) : m_query(query), m_box(query.analysis.base.box()) {}
-
-    //! Base points of a meeting lie at least so far apart.
-    [[nodiscard]] double least_apart() const
+    explicit MeetingSolver(const SelfIntersectionQuery &query)
+        : m_query(query), m_box(query.analysis.base.box()),
+          m_least_apart(laminate_offset::least_apart(query.distance, query.tolerance))
     {
-        return std::max(least_separation * std::abs(m_query.distance), 4.0 * m_query.tolerance);
     }
+
+    [[nodiscard]] double least_apart() const { return m_least_apart; }
 
     [[nodiscard]] double apart(const Place &place) const
     {
@@ -82,7 +64,7 @@ public:
         const std::optional<Place> place = solve(offset, start);
         if (!place || !inside(*place))
             return std::nullopt;
-        if (apart(*place) < least_apart() || base_meets(*place))
+        if (apart(*place) < m_least_apart || base_meets(*place))
             return std::nullopt;
         return SelfMeeting{{place->x(), place->y()}, {place->z(), place->w()}};
     }
@@ -151,6 +133,7 @@ private:
 
     const SelfIntersectionQuery &m_query;
     ParameterBox m_box;
+    double m_least_apart;
 };
 
 class PairSearch

@@ -56,6 +56,19 @@ struct Share
     PlyRamp ramp;
 };
 
+//! The refusal of an analysis; that of a crease says what a stack of plies with boundaries needs.
+Failure with_remedy(const Failure &failure)
+{
+    if (failure.status != Status::KinkedSurface)
+        return failure;
+    return {
+        Status::NotSupported, Stage::Analysis,
+        "The face has a crease at the reported place, and plies with boundaries need a face without: split the face "
+        "along the crease (in FreeCAD: Part > Split > Slice apart, with a plane or curve through the crease) and "
+        "stack each of its parts.",
+        failure.where, std::nullopt};
+}
+
 class LevelMaker
 {
 public:
@@ -141,10 +154,8 @@ private:
         if (partial)
             input.surface = swept_form(m_input.surface);
         Result<SurfaceAnalysis> analysis = analyse(input, farthest, m_options.tolerance);
-        if (!analysis && analysis.failure().status == Status::KinkedSurface)
-            return Failure{Status::NotSupported, Stage::Analysis,
-                           "The face has a crease; lay plies with boundaries on its parts one by one.",
-                           analysis.failure().where, std::nullopt};
+        if (!analysis)
+            return with_remedy(analysis.failure());
         return analysis;
     }
 
@@ -439,6 +450,13 @@ const PlyLevel &PlyLevels::of(std::size_t ply, std::size_t which, bool with_midd
     if (with_middle && which == 1)
         return middle[ply];
     return between[ply + (which == 0 ? 0 : 1)];
+}
+
+Result<bool> check_uncreased(const InputFace &input, double farthest, double tolerance)
+{
+    if (const Result<SurfaceAnalysis> base = read_base(input, farthest, tolerance); !base)
+        return with_remedy(base.failure());
+    return true;
 }
 
 Result<PlyLevels> ply_levels(const InputFace &input, const Stacking &stacking, const std::vector<PlyRegion> &regions,

@@ -73,10 +73,15 @@ struct PlyLevels
     [[nodiscard]] const PlyLevel &of(std::size_t ply, std::size_t which, bool with_middle) const;
 };
 
+//! Refuses a face that the surfaces up to a distance would be torn on at creases: boundaries are not carried across them.
+//! \param farthest along S_u x S_v [mm].
+//! Refusal: NotSupported at stage Analysis, at the worst crease; those of read_base but for creases.
+Result<bool> check_uncreased(const InputFace &input, double farthest, double tolerance);
+
 //! All surfaces of a stack, each certified over the regions of the plies that it bounds. A distance that is constant
 //! there gives the offset at that distance, exact where the base permits; any other is a variable offset of one family.
 //! \param regions all that plies cover; those without cuts are the whole face.
-//! Refusals: those of analyse, check_distance, fit_offset_family and fit_variable_offset; those of ply_share.
+//! Refusals: those of check_uncreased, analyse, check_distance, fit_offset_family and fit_variable_offset; those of ply_share.
 Result<PlyLevels> ply_levels(const InputFace &input, const Stacking &stacking, const std::vector<PlyRegion> &regions,
                              const OffsetOptions &options);
 

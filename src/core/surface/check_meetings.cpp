@@ -77,6 +77,18 @@ Result<MeetingPart> meeting_part(const AnalysedPart &part, double distance, doub
     return made;
 }
 
+//! What a search without a meeting has left open, if anything.
+PartsApart unsettled(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
+                     const PartMeetingSearch &search)
+{
+    for (const CreaseEdge &edge : edges)
+        if (edge.open)
+            return {false, parts[edge.first].input.place(*edge.open)};
+    if (search.open)
+        return {false, parts[search.open->first_part].input.place(search.open->first)};
+    return {search.settled, std::nullopt};
+}
+
 } // namespace
 
 Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &input, const OffsetSurface &surface,
@@ -96,30 +108,28 @@ Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &in
     return check_self_intersection({analysis, input, from_geom(spline), distance, tolerance});
 }
 
-Result<bool> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
-                                 double distance, double tolerance, Between between)
+Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
+                                       double distance, double tolerance, Between between)
 {
     if (std::abs(distance) <= 2.0 * tolerance)
-        return true;
+        return PartsApart{};
     PartMeetingQuery query;
     for (const AnalysedPart &part : parts)
     {
         Result<MeetingPart> made = meeting_part(part, distance, tolerance, between);
         if (!made)
-            return false; // what has no spline within the tolerance cannot be searched
+            return PartsApart{false, made.failure().where}; // without a spline nothing can be searched
         query.parts.push_back(std::move(made).value());
     }
     query.distance = distance;
     query.tolerance = tolerance;
-    bool all_looked_at = std::all_of(edges.begin(), edges.end(), [](const CreaseEdge &edge) { return edge.settled; });
-    query.excused = [&](std::size_t i, std::size_t j) {
-        const bool cross = known_to_cross(parts[i].input, parts[j].input, edges, tolerance);
-        all_looked_at = all_looked_at && !cross; // elsewhere they may meet again
-        return cross;
+    query.edges = edges;
+    query.cross = [&](std::size_t i, std::size_t j) {
+        return known_to_cross(parts[i].input, parts[j].input, edges, tolerance);
     };
     const PartMeetingSearch search = find_part_meeting(query);
     if (!search.meeting)
-        return search.settled && all_looked_at;
+        return unsettled(parts, edges, search);
     const InputFace &input = parts[search.meeting->first_part].input;
     const Where here = input.place(search.meeting->first);
     const Where there = parts[search.meeting->second_part].input.place(search.meeting->second);

@@ -7,6 +7,7 @@
 
 #include "../analysis/crease_sides.h"
 
+#include <optional>
 #include <vector>
 
 namespace laminate_offset
@@ -35,13 +36,20 @@ enum class Between
     Plies    //!< from the face to the offset all is filled
 };
 
+//! Whether parts keep apart.
+struct PartsApart
+{
+    bool settled = true;
+    std::optional<Where> open; //!< a place that could not be settled, where there is one to name
+};
+
 //! Refuses offsets of different parts that meet away from their common creases (part_meetings.h).
-//! \param edges what the parts do at their creases (crease_sides.h). Parts that cross at a crease, and parts at an end of one
-//! that does, are known to cross and are not compared.
+//! \param edges what the parts do at their creases (crease_sides.h). Of parts that cross at a crease, and of parts at an end of
+//! one that does, that crossing is known and not refused.
 //! \param distance along S_u x S_v [mm].
-//! \return true where no parts meet or the distance is below twice the tolerance, false where the search could not settle it.
+//! \return settled where no parts meet or the distance is below twice the tolerance, not settled where the search left it open.
 //! Refusal: SelfIntersection at stage Surface, at one of the two places, with the other in the message.
-Result<bool> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
-                                 double distance, double tolerance, Between between);
+Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
+                                       double distance, double tolerance, Between between);
 
 } // namespace laminate_offset
