@@ -13,6 +13,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepLib.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
@@ -263,6 +264,7 @@ TEST(CreasedFace, AFoldedSheetBecomesTwoFaces)
                 // upwards a valley closes up and a ridge opens
                 const bool upwards = (distance > 0.0) != turned;
                 EXPECT_EQ(*report.crease, upwards == (slope > 0.0) ? CreaseKind::Overlap : CreaseKind::Gap);
+                EXPECT_TRUE(report.apart) << "the parts meet at their crease only";
                 EXPECT_EQ(report.loops, 1);
                 EXPECT_EQ(report.edges, 4);
             }
@@ -373,6 +375,37 @@ TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
     }
 }
 
+//! A profile turned all round the z axis as BRepPrimAPI does it: in the loop both circles come before both sides of the seam.
+TopoDS_Face swept_round(const Handle(Geom_Curve) & profile)
+{
+    return TopoDS::Face(BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(profile).Edge(), gp::OZ(), 2.0 * M_PI).Shape());
+}
+
+TEST(CreasedFace, RingsOfAKinkedProfileAreSplitHoweverTheirLoopsAreWritten)
+{
+    const double x[] = {0, 15, 25, 40, 25, 15, 0, -15, -15, 0}, z[] = {-12, -12, -10, 0, 10, 12, 12, 12, -12, -12};
+    TColgp_Array1OfPnt poles(1, 10);
+    for (int i = 1; i <= 10; ++i)
+        poles(i) = gp_Pnt(100.0 + x[i - 1], 0.0, z[i - 1]);
+    TColStd_Array1OfReal knots(1, 4);
+    TColStd_Array1OfInteger multiplicities(1, 4);
+    for (int i = 1; i <= 4; ++i)
+    {
+        knots(i) = i - 1;
+        multiplicities(i) = i == 1 || i == 4 ? 4 : 3;
+    }
+    const Handle(Geom_Curve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    for (const TopoDS_Face &base : {swept_round(profile), face_on(new Geom_SurfaceOfRevolution(profile, gp::OZ()))})
+        for (const double distance : {0.5, -0.5})
+        {
+            SCOPED_TRACE(distance);
+            const auto result = offset(base, distance, tolerance);
+            ASSERT_TRUE(result.ok()) << why(result);
+            expect_parts_right(base, result.value(), distance, 2);
+            expect_tear(result.value().report, seen_tear(base, false, 1.0, 0.0, 2.0 * M_PI, distance));
+        }
+}
+
 //! A closed section, 100 long and smooth but for its sharp tail, where it begins and ends; 30 from the z axis or more.
 Handle(Geom_BSplineCurve) teardrop()
 {
@@ -408,7 +441,8 @@ TEST(CreasedFace, ASharpSeamIsOpened)
     const Case cases[] = {{"extrusion", BRepBuilderAPI_MakeFace(wing, 0.0, 8.0, 0.0, 200.0, 1e-7), true},
                           {"spline", face_on(spline_wing), true},
                           {"spline with u and v exchanged", face_on(turned), false},
-                          {"ring", face_on(ring), false}};
+                          {"ring", face_on(ring), false},
+                          {"ring as a sweep makes it", swept_round(teardrop()), false}};
     for (const Case &tube : cases)
         for (const double distance : {0.4, -0.4, 2.0, -2.0})
         {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "creases.h"
 
+#include "../input/loop_gaps.h"
+
+#include <BRep_Builder.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
@@ -17,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
 
 namespace laminate_offset
@@ -108,6 +112,38 @@ TColStd_Array1OfReal cell_ends(double low, double high, const std::vector<Crease
     return result;
 }
 
+//! A loop's wire with its edges one after the other. In a wire a sweep leaves them as it made them, both circles of a ring
+//! before both of its seams, and ShapeFix_ComposeShell goes by the order.
+TopoDS_Wire in_sequence(const InputFace &input, const TrimmingLoop &loop)
+{
+    const std::vector<std::size_t> next = following_curves(input, loop, curve_ends(loop));
+    std::vector<TopoDS_Edge> edges, others;
+    for (const TrimmingCurve &curve : loop.curves)
+        (curve.bounds_face() ? edges : others).push_back(curve.edge);
+    BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    std::vector<char> done(edges.size(), 0);
+    for (std::size_t start = 0; start < edges.size(); ++start)
+        for (std::size_t i = start; done[i] == 0; i = next[i])
+        {
+            builder.Add(wire, edges[i]);
+            done[i] = 1;
+        }
+    for (const TopoDS_Edge &edge : others)
+        builder.Add(wire, edge);
+    wire.Closed(true);
+    return wire;
+}
+
+TopoDS_Face in_sequence(const InputFace &input)
+{
+    TopoDS_Face face = TopoDS::Face(input.face.EmptyCopied());
+    for (const TrimmingLoop &loop : input.loops)
+        BRep_Builder().Add(face, in_sequence(input, loop));
+    return face;
+}
+
 //! Splits along the borders of the creases' cells, in the parameters alone.
 TopoDS_Shape split(const InputFace &input, const std::vector<CreaseLine> &creases)
 {
@@ -124,7 +160,7 @@ TopoDS_Shape split(const InputFace &input, const std::vector<CreaseLine> &crease
     if (!grid->Init(cells, us, vs))
         return {};
     ShapeFix_ComposeShell composer;
-    composer.Init(grid, TopLoc_Location(), input.face, Precision::Confusion());
+    composer.Init(grid, TopLoc_Location(), in_sequence(input), Precision::Confusion());
     composer.SetContext(new ShapeBuild_ReShape);
     composer.SetMaxTolerance(std::max(input.tolerance, Precision::Confusion()));
     return composer.Perform() ? composer.Result() : TopoDS_Shape();

@@ -32,12 +32,18 @@ public:
             }
     }
 
-    std::vector<LoopGap> find()
+    const std::vector<std::size_t> &following()
     {
         for (const bool by_vertex : {true, false})
             for (std::size_t i = 0; i < m_ends.size(); ++i)
                 if (m_next[i] == m_ends.size())
                     pair(i, by_vertex);
+        return m_next;
+    }
+
+    std::vector<LoopGap> find()
+    {
+        following();
         std::vector<LoopGap> gaps;
         for (std::size_t i = 0; i < m_ends.size(); ++i)
         {
@@ -105,6 +111,12 @@ std::vector<CurveEnds> curve_ends(const TrimmingLoop &loop)
             ends.push_back(reversed ? CurveEnds{along.end, along.start} : along);
         }
     return ends;
+}
+
+std::vector<std::size_t> following_curves(const InputFace &input, const TrimmingLoop &loop,
+                                          const std::vector<CurveEnds> &ends)
+{
+    return GapFinder(input, loop, ends).following();
 }
 
 std::vector<LoopGap> loop_gaps(const InputFace &input, const TrimmingLoop &loop, const std::vector<CurveEnds> &ends)

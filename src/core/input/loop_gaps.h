@@ -11,6 +11,7 @@
 
 #include "input_face.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace laminate_offset
@@ -35,6 +36,11 @@ struct LoopGap
 
 //! The ends of the curves of a loop that bound the face, in the loop's order, as their pieces have them.
 std::vector<CurveEnds> curve_ends(const TrimmingLoop &loop);
+
+//! The number of the curve that follows each curve of the loop that bounds the face, counted in the loop's order.
+//! \param ends of those curves, in the loop's order.
+std::vector<std::size_t> following_curves(const InputFace &input, const TrimmingLoop &loop,
+                                          const std::vector<CurveEnds> &ends);
 
 //! One gap for each curve of the loop that bounds the face, in the loop's order; `from` and `to` may be equal.
 //! \param ends of those curves, in the loop's order.
