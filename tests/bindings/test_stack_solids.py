@@ -176,6 +176,29 @@ def test_the_other_side_is_no_remedy_where_both_cross() -> None:
         assert refused.value.status == "kinked-surface"
 
 
+@pytest.mark.parametrize("second, crossing", [(-5.0, "reversed"), (5.0, "normal")])
+def test_a_cusp_is_warned_of_on_both_sides(second: float, crossing: str) -> None:
+    # two skins that are tangent to each other at their common edge; the second one ends below or above the first one, whose
+    # normal is upwards
+    heights = [(50.0, 10.0), (25.0, 0.0), (0.0, 0.0), (25.0, 0.0), (50.0, 10.0 + second)]
+    poles = [[Vector(x, y, z) for y in (40.0, 0.0)] for x, z in heights]
+    surface = Part.BSplineSurface()
+    surface.buildFromPolesMultsKnots(poles, [3, 2, 3], [2, 2], [0, 1, 2], [0, 1], False, False, 2, 1)
+    face = surface.toShape()
+    for direction in ("normal", "reversed"):
+        stack = lo.stack_plies(face, lo.Layup((lo.Ply("P1", "tape", 0.5),), direction=direction))
+        (warning,) = stack.report["warnings"]
+        if direction == crossing:
+            assert "cross each other there by up to 1 mm, so that they have no solids" in warning
+            assert "other side" in warning
+        else:
+            assert "stand apart there by up to 1 mm; whether they meet elsewhere could not be settled" in warning
+        with pytest.raises(lo.OffsetError) as refused:
+            stack.laminate_solid()
+        assert refused.value.status == ("kinked-surface" if direction == crossing else "not-supported")
+        assert abs(refused.value.where["x"]) < 1e-6, "it is the cusp that is named"
+
+
 def test_plies_that_come_upon_another_part_of_a_creased_face_have_no_solids() -> None:
     hook = [(0, 0), (0, -20), (20, -20), (20, 20), (-20, 20), (-20, 0.3), (-0.4, 0.3)]
     poles = [FreeCAD.Vector(x, y, 0) for x, y in hook]

@@ -425,7 +425,10 @@ def _crease_warning(reports: Sequence[OffsetReport]) -> List[str]:
     width = f" by up to {max(gaps):.3g} mm" if len(gaps) == len(torn) else ""
     start = f"The face has creases that part the plies into {max(report.faces for report in torn)} parts"
     if all(report.crease == "gap" for report in torn):
-        return [f"{start}, which stand apart there{width}; a ply's solids are one for each part."]
+        solids = "a ply's solids are one for each part"
+        if any(report.self_intersection == "undecided" for report in torn):
+            solids = "whether they meet elsewhere could not be settled, so they may have no solids"
+        return [f"{start}, which stand apart there{width}; {solids}."]
     remedy = "round the creases"
     if not any(report.crease == "both" for report in torn):  # what crosses on one side opens on the other
         both_sides = any(report.crease == "gap" for report in torn)

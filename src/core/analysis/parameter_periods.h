@@ -18,4 +18,7 @@ struct Periods
 //! \param tolerance ends that are no farther apart at seven places [mm] are a seam.
 Periods periods_of(const InputFace &input, double tolerance);
 
+//! Do the two ends of one parameter of a finite box show the same curve within the tolerance [mm], at seven places?
+bool ends_meet(const Geom_Surface &surface, const ParameterBox &box, bool along_u, double tolerance);
+
 } // namespace laminate_offset

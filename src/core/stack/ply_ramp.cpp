@@ -4,6 +4,7 @@
 #include "edge_distance.h"
 #include "ramp_knots.h"
 
+#include "../analysis/parameter_periods.h"
 #include "../input/pcurve_pieces.h"
 
 #include <fmt/format.h>
@@ -112,38 +113,24 @@ private:
 
 // Shares of a ply's thickness that differ by less are equal.
 constexpr double same_share = 1e-9;
+// Ends that are nearer to each other than this part of the face's size are a seam.
+constexpr double same_seam = 1e-6;
 
 bool differ(double a, double b) { return std::abs(a - b) > same_share; }
-
-//! Is the surface one and the same at both ends of a direction of the box?
-bool closed(const Geom_Surface &surface, const ParameterBox &box, bool along_u, double size)
-{
-    constexpr int probes = 4;
-    constexpr double same = 1e-6;
-    for (int i = 0; i <= probes; ++i)
-    {
-        const double u = box.umin + (box.umax - box.umin) * i / probes;
-        const double v = box.vmin + (box.vmax - box.vmin) * i / probes;
-        const gp_Pnt low = along_u ? surface.Value(box.umin, v) : surface.Value(u, box.vmin);
-        const gp_Pnt high = along_u ? surface.Value(box.umax, v) : surface.Value(u, box.vmax);
-        if (low.Distance(high) > same * size)
-            return false;
-    }
-    return true;
-}
 
 //! Does the share run on smoothly across a seam? Its knots know nothing of what lies on the other side.
 bool torn_at_seam(const ScalarSpline &share, const InputFace &input, const ParameterBox &box)
 {
     const int rows = share.u.pole_count();
     const int columns = share.v.pole_count();
+    const double same = same_seam * input.diagonal;
     bool torn = false;
-    if (closed(*input.surface, box, true, input.diagonal))
+    if (ends_meet(*input.surface, box, true, same))
         for (int j = 0; j < columns; ++j)
             for (int i = 0; i < degree; ++i)
                 torn = torn || differ(share.pole(i, j), share.pole(rows - 1, j)) ||
                        differ(share.pole(rows - 1 - i, j), share.pole(0, j));
-    if (closed(*input.surface, box, false, input.diagonal))
+    if (ends_meet(*input.surface, box, false, same))
         for (int i = 0; i < rows; ++i)
             for (int j = 0; j < degree; ++j)
                 torn = torn || differ(share.pole(i, j), share.pole(i, columns - 1)) ||
