@@ -497,7 +497,8 @@ private:
         const int limit = std::min({most, most_poles, m_problem.max_poles});
         const bool reached = search(degree, limit, m_best ? &m_best->knots : nullptr);
         const KnotVector pieces = between_breaks(degree);
-        const bool may_win = m_best && pieces.pole_count() < m_best->knots.pole_count();
+        const bool may_win =
+            m_best && pieces.pole_count() < std::min(small_fit, m_best->knots.pole_count()); // longer ones seldom do
         return (may_win && search(degree, m_best->knots.pole_count() - 1, &pieces)) || reached;
     }
 
