@@ -38,6 +38,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace laminate_offset;
 using namespace test_support;
@@ -290,6 +291,8 @@ TEST(EdgeCertificate, BadCurvesAreNeverProven)
             const Deviation deviation = target.deviation(bad, 1e-5);
             EXPECT_GE(deviation.bound, worst);
             EXPECT_GT(deviation.bound, 1e-5);
+            bad->SetPole(pole, gp_Pnt(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0));
+            EXPECT_FALSE(target.deviation(bad, 1e-5).proven);
         }
 }
 

@@ -334,9 +334,9 @@ TEST(LoopGaps, WidthsThatAreNoNumbersAreJumps)
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 0.0})
     {
         input.box = {bad, bad, bad, bad};
-        for (const TrimmingLoop &tried : {loop, without_vertices(loop)})
+        for (const bool by_vertex : {true, false})
         {
-            const std::vector<LoopGap> gaps = loop_gaps(input, tried, ends);
+            const std::vector<LoopGap> gaps = loop_gaps(input, by_vertex ? loop : without_vertices(loop), ends);
             ASSERT_EQ(gaps.size(), ends.size());
             std::vector<gp_Pnt2d> starts;
             for (const LoopGap &gap : gaps)
@@ -345,6 +345,9 @@ TEST(LoopGaps, WidthsThatAreNoNumbersAreJumps)
                     EXPECT_GT(before.Distance(gap.to), 0.5); // each start once
                 starts.push_back(gap.to);
             }
+            // vertices still find the right starts, which coincide; any other pair does not
+            const bool jumps = std::any_of(gaps.begin(), gaps.end(), [](const LoopGap &gap) { return gap.jump; });
+            EXPECT_EQ(jumps, !by_vertex);
         }
     }
 }

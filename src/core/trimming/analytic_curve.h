@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -142,13 +143,16 @@ std::vector<double> analytic_ends(const AnalyticCurve &a, double first, double l
 //! The same where one of two curves is not.
 std::vector<double> analytic_ends(const AnalyticCurve &a, const AnalyticCurve &b, double first, double last);
 
+//! The larger of two bounds; one that is no number stays so.
+inline double larger_bound(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
 //! The largest of what `cover` (low, high) gives between neighbouring ends; infinite as soon as one is.
 template <class Cover> double largest_between(const std::vector<double> &ends, const Cover &cover)
 {
     double worst = 0.0;
     for (std::size_t i = 0; i + 1 < ends.size() && worst < std::numeric_limits<double>::infinity(); ++i)
         if (ends[i + 1] > ends[i])
-            worst = std::max(worst, cover(ends[i], ends[i + 1]));
+            worst = larger_bound(worst, cover(ends[i], ends[i + 1]));
     return worst;
 }
 

@@ -106,7 +106,7 @@ private:
         if (!(middle > a && middle < b))
             return infinity;
         const double lower = cover(a, middle, depth + 1);
-        return lower < infinity ? std::max(lower, cover(middle, b, depth + 1)) : infinity;
+        return lower < infinity ? larger_bound(lower, cover(middle, b, depth + 1)) : infinity;
     }
 
     //! How far a box reaches out of the surface's domain beyond what is admissible.
@@ -204,7 +204,8 @@ private:
             here.pcurve.lane_values(t.data(), uv.data());
             here.curve.lane_values(t.data(), in_space.data());
             surface.lane_values(uv.data(), uv.data() + lanes, on_surface.data());
-            square = std::max(square, (in_space - on_surface).square().rowwise().sum().maxCoeff());
+            const Eigen::Array<double, lanes, 1> squares = (in_space - on_surface).square().rowwise().sum();
+            square = larger_bound(square, squares.maxCoeff<Eigen::PropagateNaN>());
         }
         const Eigen::Vector3d &slack = here.pcurve.rounding();
         const double uv_rounding = here.speed[0] * slack.x() + here.speed[1] * slack.y();

@@ -106,7 +106,7 @@ private:
         if (!(cut > a && cut < b) || (worst < infinity && attained(pcurve, curve) > m_proof.target))
             return worst;
         const double lower = cover(a, cut, depth + 1);
-        return lower < infinity ? std::max(lower, cover(cut, b, depth + 1)) : infinity;
+        return lower < infinity ? larger_bound(lower, cover(cut, b, depth + 1)) : infinity;
     }
 
     [[nodiscard]] double over_cells(const CurvePiece &pcurve, const CurvePiece &curve, const Spans &us,
@@ -117,7 +117,7 @@ private:
             for (int t = vs.low; t <= vs.high; ++t)
                 if (m_base.u.knots[static_cast<std::size_t>(s)] < m_base.u.knots[static_cast<std::size_t>(s) + 1] &&
                     m_base.v.knots[static_cast<std::size_t>(t)] < m_base.v.knots[static_cast<std::size_t>(t) + 1])
-                    worst = std::max(worst, bound(pcurve, curve, {s, t}));
+                    worst = larger_bound(worst, bound(pcurve, curve, {s, t}));
         return worst;
     }
 
