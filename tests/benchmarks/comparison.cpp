@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "comparison.h"
 
+#include "median.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,15 +29,6 @@ void take_quicker(Outcome &outcome, const Outcome &again)
 {
     if (again.made && again.ms < outcome.ms)
         outcome = again;
-}
-
-double median(std::vector<double> values)
-{
-    if (values.empty())
-        return std::nan("");
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 double largest(const std::vector<double> &values)

@@ -3,6 +3,7 @@
 
 #include "cases.h"
 #include "child_process.h"
+#include "median.h"
 
 #include "support/data_files.h"
 
@@ -111,14 +112,6 @@ void write_line(const BaseFace &base, const Task &task, const Outcome &o, std::o
     csv << fmt::format("{},{},{},{},{},{},{},{},{:.3f},{},{}\n", base.name, base.poles, task.distance, task.tolerance,
                        laminate_offset::name(task.method), o.status, o.poles_u, o.poles_v, o.cpu_ms,
                        o.certified ? fmt::format("{}", o.bound) : "", o.sampled);
-}
-
-double median(std::vector<double> values)
-{
-    if (values.empty())
-        return 0.0;
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 } // namespace

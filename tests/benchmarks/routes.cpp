@@ -2,6 +2,7 @@
 #include "routes.h"
 
 #include "cases.h"
+#include "median.h"
 
 #include <laminate_offset/offset_face.h>
 
@@ -50,12 +51,6 @@ double cpu_time()
     timespec time;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 //! Median times of so many runs at least, written to an outcome; quick ones go on until they are `long_enough`, and, unless it is slow, a

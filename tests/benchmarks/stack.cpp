@@ -2,6 +2,7 @@
 #include "stack.h"
 
 #include "child_process.h"
+#include "median.h"
 
 #include "support/data_files.h"
 
@@ -20,6 +21,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark
@@ -45,8 +47,7 @@ double median_ms(const std::function<void()> &work)
         times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     times.erase(times.begin()); // threads and caches
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
+    return median(std::move(times));
 }
 
 OffsetOptions options()
