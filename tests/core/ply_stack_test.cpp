@@ -428,8 +428,10 @@ TEST(PlyStack, TheSlopesOfRampsAreReportedAndCanBeLimited)
             }
             // level where it begins and ends
             if (straight)
+            {
                 for (const double x : {20.0, 20.0 + 1.02 * ramp.length})
                     EXPECT_NEAR((above->Value(x + step, 0.0).Z() - above->Value(x - step, 0.0).Z()) / step, 0.0, 1e-3);
+            }
         }
 }
 

@@ -475,7 +475,9 @@ TEST(OffsetTrimmingCurve, KeepsItsProvenBound)
                 EXPECT_LE(seen, tolerance);
                 // at 300 mm and 1e-5 mm not every curve gets a proof; such a curve is said to be sampled
                 if (distance < 100.0 || tolerance > 1e-4)
+                {
                     EXPECT_TRUE(made->deviation.proven);
+                }
                 if (!made->deviation.proven)
                     continue;
                 EXPECT_LE(seen, made->deviation.bound + rounding);

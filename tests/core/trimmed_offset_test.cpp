@@ -156,10 +156,10 @@ CurveOnSurface line_on(const Handle(Geom_Surface) & surface, const gp_Pnt2d &fro
     return {surface, new Geom2d_Line(from, gp_Dir2d(way)), 0.0, way.Magnitude()};
 }
 
-std::optional<EdgeCurve> curve_on(const CurveOnSurface &c, double tolerance)
+std::optional<EdgeCurve> curve_on(const CurveOnSurface &c, double accuracy)
 {
     const std::optional<AnalyticSurface> form = AnalyticSurface::make(c.surface);
-    return edge_curve(EdgeTarget(c, form ? &*form : nullptr), tolerance);
+    return edge_curve(EdgeTarget(c, form ? &*form : nullptr), accuracy);
 }
 
 int degree_of(const Handle(Geom_Curve) & curve)

@@ -17,13 +17,14 @@ void RationalPiece::halve(bool along_u, RationalPiece &upper)
 }
 
 SplinePieces::SplinePieces(const TensorSpline &spline, const std::vector<double> &us, const std::vector<double> &vs)
-    : m_spline(&spline), m_u(extractions(spline.u, us)), m_v(extractions(spline.v, vs))
+    : m_spline(&spline), m_u(std::make_shared<const std::vector<SpanExtraction>>(extractions(spline.u, us))),
+      m_v(std::make_shared<const std::vector<SpanExtraction>>(extractions(spline.v, vs)))
 {
 }
 
 Eigen::Vector3d SplinePieces::near_point(std::size_t i, std::size_t j) const
 {
-    const Eigen::Vector4d &pole = m_spline->pole(m_u[i].first, m_v[j].first);
+    const Eigen::Vector4d &pole = m_spline->pole((*m_u)[i].first, (*m_v)[j].first);
     return pole.head<3>() / pole.w();
 }
 
@@ -32,13 +33,15 @@ void SplinePieces::append_controls(std::size_t i, std::size_t j, const Eigen::Ve
 {
     const int p = m_spline->u.degree;
     const int q = m_spline->v.degree;
-    const double *matrix_u = m_u[i].matrix.data();
-    const double *matrix_v = m_v[j].matrix.data();
+    const SpanExtraction &along_u = (*m_u)[i];
+    const SpanExtraction &along_v = (*m_v)[j];
+    const double *matrix_u = along_u.matrix.data();
+    const double *matrix_v = along_v.matrix.data();
     m_rows.assign(static_cast<std::size_t>((p + 1) * (q + 1)), Eigen::Vector4d::Zero());
     for (int l = 0; l <= q; ++l)
         for (int k = 0; k <= p; ++k)
         {
-            Eigen::Vector4d pole = m_spline->pole(m_u[i].first + k, m_v[j].first + l);
+            Eigen::Vector4d pole = m_spline->pole(along_u.first + k, along_v.first + l);
             pole.head<3>() -= pole.w() * origin;
             for (int r = 0; r <= p; ++r)
                 m_rows[static_cast<std::size_t>(r * (q + 1) + l)] += matrix_u[r * (p + 1) + k] * pole;

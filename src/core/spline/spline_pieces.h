@@ -5,6 +5,9 @@
 
 #include "bernstein.h"
 
+#include <memory>
+#include <vector>
+
 namespace laminate_offset
 {
 
@@ -21,8 +24,8 @@ struct RationalPiece
     void halve(bool along_u, RationalPiece &upper);
 };
 
-//! Cuts a spline along breaks that hold at least its own knots. The tables are shared, the workspace is
-//! not: one copy serves one thread.
+//! Cuts a spline along breaks that hold at least its own knots. Copies share the tables and have a workspace of their
+//! own: one copy serves one thread.
 class SplinePieces
 {
 public:
@@ -40,8 +43,8 @@ public:
 
 private:
     const TensorSpline *m_spline;
-    std::vector<SpanExtraction> m_u;
-    std::vector<SpanExtraction> m_v;
+    std::shared_ptr<const std::vector<SpanExtraction>> m_u;
+    std::shared_ptr<const std::vector<SpanExtraction>> m_v;
     std::vector<Eigen::Vector4d> m_rows;
     std::vector<Eigen::Vector4d> m_controls;
 };

@@ -79,7 +79,8 @@ std::optional<ImagePiece> fitted_piece(const GeodesicWalker &walker, const PathP
         const std::optional<EdgeCurve> curve = edge_curve(target, 0.5 * tolerance);
         if (!curve)
             break;
-        return ImagePiece{Handle(Geom2d_Curve)(pcurve), curve->curve, 0.0, 1.0, curve->deviation, false, seen};
+        return ImagePiece{
+            Handle(Geom2d_Curve)(pcurve), curve->curve, 0.0, 1.0, curve->deviation, false, seen, std::nullopt, false};
     }
     return std::nullopt;
 }
