@@ -16,6 +16,7 @@
 #include "trimming/trim_loops.h"
 
 #include <TopoDS.hxx>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -73,13 +74,18 @@ private:
         if (m_entered == Clock::time_point{})
             return;
         const std::chrono::duration<double, std::milli> spent = Clock::now() - m_entered;
-        auto stage = std::find_if(m_elapsed.stages.begin(), m_elapsed.stages.end(),
-                                  [&](const auto &known) { return known.first == m_stage; });
-        if (stage == m_elapsed.stages.end())
-            stage = m_elapsed.stages.insert(stage, {m_stage, 0.0});
-        stage->second += spent.count();
-        m_elapsed.total += spent.count();
+        add_time(m_stage, spent.count());
         m_entered = {};
+    }
+
+    void add_time(Stage of, double spent)
+    {
+        auto stage = std::find_if(m_elapsed.stages.begin(), m_elapsed.stages.end(),
+                                  [&](const auto &known) { return known.first == of; });
+        if (stage == m_elapsed.stages.end())
+            stage = m_elapsed.stages.insert(stage, {of, 0.0});
+        stage->second += spent;
+        m_elapsed.total += spent;
     }
 
     Result<OffsetResult> run_stages(const TopoDS_Shape &shape)
@@ -153,10 +159,13 @@ private:
     //! The parts between creases, each through all stages on its own.
     Result<OffsetResult> run_parts(const InputFace &input, const std::vector<InputFace> &parts)
     {
+        std::vector<std::optional<Result<Made>>> tried(parts.size());
+        if (!m_options.progress) // which is told by one thread
+            make_at_once(parts, tried);
         std::vector<Made> made;
-        for (const InputFace &part : parts)
+        for (std::size_t i = 0; i < parts.size(); ++i)
         {
-            Result<Made> one = make(part, part_options(made.size(), parts.size()));
+            Result<Made> one = tried[i] ? *std::move(tried[i]) : make(parts[i], part_options(i, parts.size()));
             if (!one)
                 return with_limits_of_all(one.failure(), parts);
             made.push_back(std::move(one).value());
@@ -179,6 +188,37 @@ private:
         leave();
         report.elapsed = m_elapsed;
         return OffsetResult{build_shell(input, faces), std::move(report)};
+    }
+
+    //! Each part by a pipeline of its own. Their stages share the time that passes.
+    void make_at_once(const std::vector<InputFace> &parts, std::vector<std::optional<Result<Made>>> &made)
+    {
+        leave();
+        const auto began = Clock::now();
+        std::vector<Pipeline> pipelines(parts.size(), Pipeline(m_options));
+        tbb::parallel_for(std::size_t{0}, parts.size(),
+                          [&](std::size_t i) { made[i] = pipelines[i].make_alone(parts[i]); });
+        const std::chrono::duration<double, std::milli> passed = Clock::now() - began;
+        double sum = 0.0;
+        for (const Pipeline &pipeline : pipelines)
+            sum += pipeline.m_elapsed.total;
+        for (const Pipeline &pipeline : pipelines)
+            for (const auto &[stage, spent] : pipeline.m_elapsed.stages)
+                add_time(stage, spent * passed.count() / sum);
+    }
+
+    Result<Made> make_alone(const InputFace &part)
+    {
+        try
+        {
+            Result<Made> made = make(part, m_options);
+            leave();
+            return made;
+        }
+        catch (const Standard_Failure &error)
+        {
+            return kernel_failure(error, m_stage);
+        }
     }
 
     //! What the parts of a creased face do to each other.
