@@ -445,8 +445,8 @@
         <translation>Stapel exportieren...</translation>
     </message>
     <message>
-        <source>Writes the selected stack: STEP with named plies, table, CalculiX section</source>
-        <translation>Schreibt den gewählten Lagenstapel: STEP mit benannten Lagen, Lagentabelle, CalculiX-Querschnitt</translation>
+        <source>Writes the selected stack: STEP with named plies, table, ply book, CalculiX section, HDF5 composite CAE</source>
+        <translation>Schreibt den gewählten Lagenstapel: STEP mit benannten Lagen, Lagentabelle, Lagenbuch, CalculiX-Querschnitt, HDF5 Composite CAE</translation>
     </message>
 </context>
 <context>
@@ -937,6 +937,30 @@
         <translation>Staffelung</translation>
     </message>
     <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>inside; e.g. Edge=left</source>
+        <translation>innen; z. B. Edge=left</translation>
+    </message>
+    <message>
+        <source>The part of the face that plies keep: Edge=left; Hole=outside for boundaries with these labels. Closed boundaries: inside or outside; open ones: left or right of their direction, as seen from outside</source>
+        <translation>Der Teil der Fläche, den Lagen behalten: Edge=left; Hole=outside für Grenzen mit diesen Bezeichnungen. Geschlossene Grenzen: inside (innen) oder outside (außen); offene: left (links) oder right (rechts) ihrer Richtung, von außen gesehen</translation>
+    </message>
+    <message>
+        <source>Which slope of a ramp that is: the mean one, or the steepest, which makes ramps longer</source>
+        <translation>Welche Steigung einer Rampe das ist: die mittlere (mean) oder die größte (steepest), die Rampen länger macht</translation>
+    </message>
+    <message>
+        <source>Ramp length</source>
+        <translation>Rampenlänge</translation>
+    </message>
+    <message>
+        <source>Length of a ramp where plies end, in place of the drop-off; 0 mm: by the drop-off</source>
+        <translation>Länge einer Rampe, wo Lagen enden, anstelle der Abstufung; 0 mm: nach der Abstufung</translation>
+    </message>
+    <message>
         <source>Distances in mm by which successive plies keep inside of their boundary: 0, 8, 16 for all boundaries, or Edge=0,8,16; Patch=0,5 for boundaries with these labels</source>
         <translation>Abstände in mm, um die aufeinanderfolgende Lagen innerhalb ihrer Grenze bleiben: 0, 8, 16 für alle Grenzen, oder Edge=0,8,16; Patch=0,5 für Grenzen mit diesen Bezeichnungen</translation>
     </message>
@@ -1001,12 +1025,12 @@
         <translation>Rosette</translation>
     </message>
     <message>
-        <source>The axes that angles count from, where a row of the layup names none</source>
-        <translation>Die Achsen, von denen Winkel zählen, wo eine Zeile des Lagenaufbaus keine nennt</translation>
+        <source>The axes that angles count from, where a row of the layup names none. Without a rosette: the model&apos;s x axis, or another one where x stands on the face</source>
+        <translation>Die Achsen, von denen Winkel zählen, wo eine Zeile des Lagenaufbaus keine nennt. Ohne Rosette: die x-Achse des Modells, oder eine andere, wo x auf der Fläche steht</translation>
     </message>
     <message>
-        <source>none: the x axis</source>
-        <translation>keine: die x-Achse</translation>
+        <source>none: an axis of the model</source>
+        <translation>keine: eine Achse des Modells</translation>
     </message>
 </context>
 <context>

@@ -445,8 +445,8 @@
         <translation>Exporter l&apos;empilement...</translation>
     </message>
     <message>
-        <source>Writes the selected stack: STEP with named plies, table, CalculiX section</source>
-        <translation>Écrit l&apos;empilement sélectionné : STEP avec plis nommés, tableau des plis, section CalculiX</translation>
+        <source>Writes the selected stack: STEP with named plies, table, ply book, CalculiX section, HDF5 composite CAE</source>
+        <translation>Écrit l'empilement sélectionné : STEP avec plis nommés, tableau des plis, livre des plis, section CalculiX, HDF5 Composite CAE</translation>
     </message>
 </context>
 <context>
@@ -937,6 +937,30 @@
         <translation>Étagement</translation>
     </message>
     <message>
+        <source>Sides</source>
+        <translation>Côtés</translation>
+    </message>
+    <message>
+        <source>inside; e.g. Edge=left</source>
+        <translation>intérieur ; p. ex. Edge=left</translation>
+    </message>
+    <message>
+        <source>The part of the face that plies keep: Edge=left; Hole=outside for boundaries with these labels. Closed boundaries: inside or outside; open ones: left or right of their direction, as seen from outside</source>
+        <translation>La partie de la face que les plis gardent : Edge=left; Hole=outside pour les contours portant ces étiquettes. Contours fermés : inside (intérieur) ou outside (extérieur) ; contours ouverts : left (gauche) ou right (droite) de leur sens, vus de l'extérieur</translation>
+    </message>
+    <message>
+        <source>Which slope of a ramp that is: the mean one, or the steepest, which makes ramps longer</source>
+        <translation>De quelle pente d'une rampe il s'agit : la moyenne (mean) ou la plus forte (steepest), qui allonge les rampes</translation>
+    </message>
+    <message>
+        <source>Ramp length</source>
+        <translation>Longueur de rampe</translation>
+    </message>
+    <message>
+        <source>Length of a ramp where plies end, in place of the drop-off; 0 mm: by the drop-off</source>
+        <translation>Longueur d'une rampe là où les plis finissent, à la place de la chute ; 0 mm : selon la chute</translation>
+    </message>
+    <message>
         <source>Distances in mm by which successive plies keep inside of their boundary: 0, 8, 16 for all boundaries, or Edge=0,8,16; Patch=0,5 for boundaries with these labels</source>
         <translation>Distances en mm dont les plis successifs restent à l'intérieur de leur contour : 0, 8, 16 pour tous les contours, ou Edge=0,8,16; Patch=0,5 pour les contours qui portent ces étiquettes</translation>
     </message>
@@ -1001,12 +1025,12 @@
         <translation>Rosette</translation>
     </message>
     <message>
-        <source>The axes that angles count from, where a row of the layup names none</source>
-        <translation>Les axes d'où comptent les angles, là où une ligne du drapage n'en nomme pas</translation>
+        <source>The axes that angles count from, where a row of the layup names none. Without a rosette: the model&apos;s x axis, or another one where x stands on the face</source>
+        <translation>Les axes d'où comptent les angles, là où une ligne du drapage n'en nomme pas. Sans rosette : l'axe x du modèle, ou un autre là où x est perpendiculaire à la face</translation>
     </message>
     <message>
-        <source>none: the x axis</source>
-        <translation>aucune : l'axe x</translation>
+        <source>none: an axis of the model</source>
+        <translation>aucune : un axe du modèle</translation>
     </message>
 </context>
 <context>

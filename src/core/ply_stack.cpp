@@ -147,7 +147,7 @@ private:
     {
         return {Status::NotSupported, Stage::Trimming,
                 fmt::format("It stands {:.4g} mm from the face, more than {:.4g} mm, so its image may not be what was "
-                            "meant; draw it nearer to the face, or allow a boundary_gap of {:.4g} mm.",
+                            "meant; draw it nearer to the face, or allow a boundary gap of {:.4g} mm.",
                             gap.distance, m_most_gap, 1.01 * gap.distance),
                 gap.where, std::nullopt};
     }

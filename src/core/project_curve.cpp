@@ -188,7 +188,7 @@ Result<CurveProjection> project_on(const InputFace &input, const TopoDS_Shape &s
     std::optional<ExactSpline> spline = exact_spline(surface.value(), box);
     if (!spline)
         return refusal(Status::NotSupported, "Curves cannot be put onto a procedural surface; turn the face into a "
-                                             "spline first, for instance with offset_face(face, 0).");
+                                             "spline first, for instance by its offset at the distance 0.");
     const NearestSearch search(std::move(*spline));
     const Proof proof(surface.value(), box, options.tolerance);
     const ImageSurface on{

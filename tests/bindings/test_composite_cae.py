@@ -2,6 +2,7 @@
 """Layups in the layout HDF5 composite CAE: the file is read back with h5py and held against the stack and FreeCAD."""
 
 import fnmatch
+import json
 import os
 import re
 from pathlib import Path
@@ -287,7 +288,7 @@ def test_plies_of_several_rosettes(tmp_path: Path, capfd: pytest.CaptureFixture[
     for wrong in (None, axes["nose"]):
         with pytest.raises(ValueError, match="different rosettes .'nose', 'tail'"):
             lo.export_composite_cae(stack, str(path), rosette=wrong)
-    with pytest.raises(ValueError, match="axes has no rosette 'tail'"):
+    with pytest.raises(ValueError, match="rosette has no rosette 'tail'"):
         lo.export_composite_cae(stack, str(path), rosette={"nose": axes["nose"]})
     lo.export_composite_cae(stack, str(path), rosette=axes)
     read = Read(path)
@@ -344,9 +345,50 @@ def test_rosettes_that_are_not_given(tmp_path: Path, capfd: pytest.CaptureFixtur
 def test_the_elements_do_not_bridge_a_crease(tmp_path: Path) -> None:
     stack = lo.stack_plies(sample_shapes.roof_face(20.0, 50.0), layup())
     with pytest.raises(
-        ValueError, match="has a crease, which the elements of the file would bridge; split the face there"
+        ValueError, match="has a crease, which the elements of the HDF5 file would bridge; split the face there"
     ):
         stack.export(str(tmp_path / "layup.h5"))
+    assert os.listdir(tmp_path) == []
+
+
+def test_the_command_writes_all_files_or_none(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    source, table, report = tmp_path / "roof.brep", tmp_path / "layup.csv", tmp_path / "report.json"
+    (tmp_path / "plies.csv").write_bytes(b"old")
+
+    def refused(face: Any, told: str, *more: str) -> None:
+        files.write_shape(face, str(source), "roof")
+        layup().write(str(table))
+        arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.step")]
+        arguments += [
+            "--table",
+            str(tmp_path / "plies.csv"),
+            "--hdf5",
+            str(tmp_path / "layup.h5"),
+            "--report",
+            str(report),
+        ]
+        assert cli.main([*arguments, *more]) == 2
+        printed = capfd.readouterr()
+        assert told in printed.err and "wrote" not in printed.err and printed.out == ""
+        assert sorted(os.listdir(tmp_path)) == ["layup.csv", "plies.csv", "report.json", "roof.brep"]
+        assert (tmp_path / "plies.csv").read_bytes() == b"old"
+        written = json.loads(report.read_text(encoding="utf-8"))
+        assert (written["status"], written["stage"]) == ("not-written", "export") and told in written["message"]
+        assert len(written["stack"]) == written["plies"] == len(layup().physical_plies())
+
+    refused(sample_shapes.roof_face(20.0, 50.0), "which the elements of the HDF5 file would bridge")
+    # found out only while the last file is made
+    refused(sample_shapes.cylinder_face(10.0, 20.0), "first axis stands on the surface", "--rosette", "0,10,0:0,1,0")
+
+
+@pytest.mark.parametrize("wrong", ["x", 3, ((0, 0, 0), (1, 0, 0)), {"": (0, 0, 0)}])
+def test_what_is_no_rosette_is_told(wrong: Any, tmp_path: Path) -> None:
+    stack = lo.stack_plies(sample_shapes.bspline_face(), layup())
+    with pytest.raises(TypeError, match=r"rosette(\[''\])? must be a Rosette"):
+        lo.export_composite_cae(stack, str(tmp_path / "layup.h5"), rosette=wrong)
+    for write, name in ((lo.export_calculix, "section.inp"), (lo.export_ply_book, "book.html")):
+        with pytest.raises(TypeError, match="rosette must be a Rosette; it is "):
+            write(stack, str(tmp_path / name), rosette=wrong)
     assert os.listdir(tmp_path) == []
 
 

@@ -467,6 +467,51 @@ def test_plies_of_several_rosettes_are_not_drawn_with_one(tmp_path: Path, capfd:
     assert sorted(os.listdir(tmp_path)) == ["base.brep", "layup.csv"]
 
 
+@pytest.mark.parametrize(
+    "text,told",
+    [
+        ("0,0,0", "origin and first axis must stand on either side of one colon; write [NAME=]X,Y,Z:DX,DY,DZ"),
+        ("0,0,0:1,0,0:2", "either side of one colon"),
+        (
+            "0,0:1,0,0",
+            "'0,0' is not three numbers with commas between; write [NAME=]X,Y,Z:DX,DY,DZ, with lengths in mm",
+        ),
+        ("0,0,0:1,0,0,0", "'1,0,0,0' is not three numbers"),
+        ("nose=0,x,0:1,0,0", "'0,x,0' is not three numbers"),
+        ("=0,0,0:1,0,0", "a name must stand before ="),
+        ("0,0,0:0,0,0", "direction must not be zero"),
+        ("0,0,inf:1,0,0", "origin must be three finite numbers"),
+    ],
+)
+def test_wrong_rosettes_of_the_command_are_told(text: str, told: str, capfd: pytest.CaptureFixture[str]) -> None:
+    arguments = ["plies", "base.brep", "--face", "1", "--layup", "layup.csv", "-o", "plies.step", "--rosette", text]
+    with pytest.raises(SystemExit) as ended:
+        cli.main(arguments)
+    printed = capfd.readouterr().err
+    assert ended.value.code == 2 and told in printed, printed
+    assert "could not convert" not in printed and "unpack" not in printed
+
+
+def test_a_rosette_that_no_file_needs_is_told(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    source, table = tmp_path / "base.brep", tmp_path / "layup.csv"
+    files.write_shape(sample_shapes.bspline_face(), str(source), "base")
+    table.write_text("ply,material,thickness_mm,angle_deg\nP1,tape,0.2,0\n", encoding="utf-8")
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.step")]
+    arguments += ["--table", str(tmp_path / "plies.csv"), "--rosette", "0,0,0:1,0,0"]
+    assert cli.main(arguments) == 2
+    assert "--rosette: no file that is asked for has angles from a rosette; give --book" in capfd.readouterr().err
+    assert sorted(os.listdir(tmp_path)) == ["base.brep", "layup.csv"]
+    assert cli.main([*arguments, "--calculix", str(tmp_path / "section.inp")]) == 0
+
+
+@pytest.mark.parametrize("values", ["abc", 5, (1, 2), (1, 2, "x"), (1, 2, float("nan"))])
+def test_a_rosette_has_two_times_three_numbers(values: Any) -> None:
+    with pytest.raises(ValueError, match="origin must be three finite numbers x, y, z; it is"):
+        lo.Rosette(values, (1, 0, 0))
+    with pytest.raises(ValueError, match="direction must be three finite numbers x, y, z; it is"):
+        lo.Rosette((0, 0, 0), values)
+
+
 def test_what_cannot_be_written_says_why(stack: lo.PlyStack, tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"stack.dwg: '.dwg' is not a known format of stacks; use one of .step"):
         stack.export(str(tmp_path / "stack.dwg"))

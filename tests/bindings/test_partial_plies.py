@@ -139,7 +139,7 @@ def test_a_boundary_far_from_the_face_is_refused_with_its_distance() -> None:
     face = Part.makePlane(400.0, 300.0, FreeCAD.Vector(-200, -150, 0))
     far = Part.Wire([Part.makeCircle(60.0, FreeCAD.Vector(0, 0, 80))])
     two = layup("", "patch")
-    with pytest.raises(lo.OffsetError, match="'patch': It stands 80 mm from the face.*boundary_gap") as refused:
+    with pytest.raises(lo.OffsetError, match="'patch': It stands 80 mm from the face.*boundary gap of") as refused:
         lo.stack_plies(face, two, boundaries={"patch": far})
     assert numpy.hypot(refused.value.where["x"], refused.value.where["y"]) == pytest.approx(60.0, abs=1e-2)
     for allowed in (81, FreeCAD.Units.Quantity("81 mm")):

@@ -362,7 +362,7 @@ TEST(PlyStack, ABoundarysDistanceFromTheFaceIsReportedAndLimited)
         ASSERT_FALSE(refused) << height;
         EXPECT_EQ(refused.failure().status, Status::NotSupported);
         EXPECT_NE(refused.failure().message.find("'flap'"), std::string::npos) << refused.failure().message;
-        EXPECT_NE(refused.failure().message.find("boundary_gap"), std::string::npos) << refused.failure().message;
+        EXPECT_NE(refused.failure().message.find("boundary gap"), std::string::npos) << refused.failure().message;
         ASSERT_TRUE(refused.failure().where);
         EXPECT_NEAR(refused.failure().where->point.Distance(gp_Pnt(10.0, 20.0, 0.0)), 50.0, 1e-3);
         EXPECT_TRUE(lay(plane, circle_at(height), PlySide::Inside, 1.001 * std::abs(height)));

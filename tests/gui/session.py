@@ -83,10 +83,12 @@ def widget(name: str, kind: type = QtGui.QWidget) -> Any:
 
 
 def type_into(name: str, text: str) -> None:
-    """Replaces the text of a spin box and leaves the field."""
-    line = widget(name).findChild(QtGui.QLineEdit)
+    """Replaces the text of a line or a spin box and leaves the field."""
+    field = widget(name)
+    line = field if isinstance(field, QtGui.QLineEdit) else field.findChild(QtGui.QLineEdit)
     line.setFocus()
     line.selectAll()
+    QTest.keyClick(line, QtCore.Qt.Key_Delete)
     QTest.keyClicks(line, text)
     QTest.keyClick(line, QtCore.Qt.Key_Tab)
     pump(200)
@@ -121,6 +123,11 @@ def result_text() -> str:
 def result_is_red() -> bool:
     """Whether the result line is shown as a refusal."""
     return "#e01b24" in widget("result", QtGui.QLabel).styleSheet()
+
+
+def result_is_orange() -> bool:
+    """Whether the result line is shown as a warning."""
+    return "#d05c00" in widget("result", QtGui.QLabel).styleSheet()
 
 
 def offsets(doc: Any) -> List[Any]:

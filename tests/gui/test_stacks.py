@@ -19,6 +19,10 @@ def test_ends_of_plies_are_staggered():
     run_scenario("stagger", refusals=refusals)
 
 
+def test_sides_ramps_and_warnings():
+    run_scenario("ramps", refusals=["it has no inside"])
+
+
 def test_limits_extension_and_deviation():
     run_scenario("other_commands", refusals=["tick at least one"])
 

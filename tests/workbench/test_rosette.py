@@ -150,17 +150,32 @@ def test_rows_name_rosettes_by_label(doc, plate):
     assert rosette_for_all(stack).direction == pytest.approx((0, 1, 0))
 
 
-def test_rows_that_name_no_rosette_of_the_document_are_told(doc, plate):
+def test_rows_that_name_no_rosette_of_the_document_are_told(doc, plate, tmp_path):
     layup = make_layup(doc)
     set_layup(layup, Layup((Ply("P1", "A", 0.2, 0.0, rosette="Flange"),)))
     doc.recompute()
     stack = make_ply_stack(plate, "Face1", layup, output=OUTPUTS[1])
-    assert stack.Status == "ok" and "'Flange'" in stack.Message and near(plies_of(stack)[0].FibreDirection, (0, 0, 0))
+    told = "Fibre directions are unknown where rows name 'Flange': make a rosette with that label."
+    assert stack.Status == "ok" and stack.Warnings == [told] and near(plies_of(stack)[0].FibreDirection, (0, 0, 0))
+    for name in ("book.html", "section.inp", "layup.h5"):
+        with pytest.raises(
+            ValueError, match="'Flange' in the column Rosette; make a rosette with that label"
+        ) as refused:
+            ExportStackCommand.create(stack, str(tmp_path / name))
+        assert "rosette=" not in str(refused.value) and not (tmp_path / name).exists()
     make_rosette(plate, "Face1", (1, 1, 0), (0, 1, 0)).Label = "Flange"
     link_rosettes(stack)
     doc.recompute()
     doc.recompute()
-    assert "Flange" not in stack.Message and near(plies_of(stack)[0].FibreDirection, (0, 1, 0))
+    assert stack.Warnings == [] and near(plies_of(stack)[0].FibreDirection, (0, 1, 0))
+    ExportStackCommand.create(stack, str(tmp_path / "layup.h5"))
+    set_layup(layup, Layup((Ply("P1", "A", 0.2, 0.0, rosette="Flange"), Ply("P2", "A", 0.2))))
+    doc.recompute()
+    with pytest.raises(
+        ValueError, match="others none; choose a Rosette in the stack's panel for the others"
+    ) as refused:
+        ExportStackCommand.create(stack, str(tmp_path / "more.h5"))
+    assert "rosette=" not in str(refused.value) and not (tmp_path / "more.h5").exists()
 
 
 def test_exports_take_its_axes(doc, plate, tmp_path):

@@ -35,15 +35,18 @@ class Rosette:
 
     def __post_init__(self) -> None:
         for name in ("origin", "direction"):
-            values = numpy.array(tuple(getattr(self, name)), dtype=float)
-            if values.shape != (3,) or not numpy.isfinite(values).all():
-                raise ValueError(f"{name} must be three finite numbers x, y, z; it is {getattr(self, name)!r}.")
-            object.__setattr__(self, name, tuple(float(value) for value in values))
+            object.__setattr__(self, name, _three_numbers(getattr(self, name), name))
         if not any(self.direction):
             raise ValueError("direction must not be zero; give the rosette's first axis.")
 
 
 Rosettes = Union[Rosette, Mapping[str, Rosette]]
+
+
+def check_rosette(rosette: Any) -> None:
+    """Raises TypeError for what is neither a Rosette nor None."""
+    if rosette is not None and not isinstance(rosette, Rosette):
+        raise TypeError(f"rosette must be a Rosette; it is {rosette!r}.")
 
 
 def check_one_rosette(plies: Iterable[PhysicalPly], remedy: str) -> None:
@@ -65,20 +68,21 @@ def check_none_named(plies: Iterable[PhysicalPly], given: str) -> None:
         )
 
 
-def rosette_of(axes: Any, name: str, plies: Iterable[PhysicalPly]) -> Rosette:
-    """The rosette of a row that names it: of a mapping the one with that name, otherwise the only one of all plies."""
+def rosette_of(axes: Any, name: str, plies: Iterable[PhysicalPly], what: str = "axes") -> Rosette:
+    """The rosette of a row that names it: of a mapping the one with that name, otherwise the only one of all plies. `what` is
+    the argument that messages name."""
     if isinstance(axes, Rosette):
         check_one_rosette(plies, 'give all of them as {"name": Rosette}')
         return axes
     if not isinstance(axes, Mapping):
-        raise TypeError(f'axes must be a Rosette or a mapping {{"name": Rosette}}; it is {axes!r}.')
+        raise TypeError(f'{what} must be a Rosette or a mapping {{"name": Rosette}}; it is {axes!r}.')
     found: Optional[Any] = axes.get(name)
     if found is None:
         raise ValueError(
-            f"axes has no rosette {name!r}, which the ply's row names; it has {', '.join(map(repr, axes))}."
+            f"{what} has no rosette {name!r}, which the ply's row names; it has {', '.join(map(repr, axes))}."
         )
     if not isinstance(found, Rosette):
-        raise TypeError(f"axes[{name!r}] must be a Rosette; it is {found!r}.")
+        raise TypeError(f"{what}[{name!r}] must be a Rosette; it is {found!r}.")
     return found
 
 
@@ -107,6 +111,16 @@ def fibre_directions(face: "Part.Face", uv: Any, rosette: Rosette, angle: float)
     across = numpy.cross(normals, along)
     turn = numpy.radians(angle)
     return numpy.asarray(numpy.cos(turn) * along + numpy.sin(turn) * across)
+
+
+def _three_numbers(given: Any, name: str) -> Tuple[float, ...]:
+    try:
+        values = numpy.array(tuple(given), dtype=float)
+    except (TypeError, ValueError):
+        values = numpy.array(())
+    if values.shape != (3,) or isinstance(given, (str, bytes)) or not numpy.isfinite(values).all():
+        raise ValueError(f"{name} must be three finite numbers x, y, z; it is {given!r}.")
+    return tuple(float(value) for value in values)
 
 
 def _projected(axes: Any, normals: Any, points: Any) -> Any:

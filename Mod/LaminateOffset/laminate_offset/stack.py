@@ -57,8 +57,7 @@ class StackPly:
     def solid(self) -> "Part.Shape":
         """The ply as a valid, closed solid; on a face with creases a Part.Compound with a solid for each part. Neighbours'
         solids share the face between them only where no ply of the stack has a boundary. Made when first asked for, those
-        of all plies at once. Raises OffsetError where a side has no surface, and where parts of a creased face's plies cross
-        each other."""
+        of all plies at once. Raises OffsetError as PlyStack.ply_solids does."""
         return self._owner().ply_solids()[self.ply.number - 1]
 
     @property
@@ -170,8 +169,13 @@ class PlyStack:
         """The plies as valid, closed solids, from the tool outwards. In a stack without boundaries neighbours share the
         face between them, so there is no gap; in one with boundaries every solid has faces of its own, and pockets of
         resin are open beside the ends of plies. On a face with creases a ply is a Part.Compound of as many solids as the
-        creases leave parts, with gaps where parts move apart. Raises OffsetError where a side has no surface, and where
-        parts cross each other."""
+        creases leave parts, with gaps where parts move apart.
+
+        Raises:
+            OffsetError: a side of a ply has no surface within the tolerance (tolerance-not-reached); on a face with
+                creases, parts cross each other at a crease (kinked-surface) or come upon each other elsewhere
+                (self-intersection); or a solid is not valid (invalid-result).
+        """
         return self._ply_solids
 
     def material_solids(self) -> Tuple[MaterialSolid, ...]:

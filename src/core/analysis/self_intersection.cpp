@@ -375,9 +375,9 @@ Result<bool> check_self_intersection(const SelfIntersectionQuery &query)
     return Failure{
         Status::SelfIntersection, Stage::Surface,
         fmt::format("At the distance {:.6g} mm the offset of the reported place meets that of the place u={:.6g}, "
-                    "v={:.6g} ({:.6g}, {:.6g}, {:.6g}); use a smaller distance, or split the face between the two.",
+                    "v={:.6g} ({:.6g}, {:.6g}, {:.6g}); {}, or split the face between the two.",
                     query.input.from_face(query.distance), meeting->second.X(), meeting->second.Y(), there.point.X(),
-                    there.point.Y(), there.point.Z()),
+                    there.point.Y(), there.point.Z(), query.remedy),
         here, std::nullopt};
 }
 

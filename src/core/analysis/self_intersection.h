@@ -25,9 +25,14 @@
 #include "../spline/tensor_spline.h"
 
 #include <optional>
+#include <string_view>
 
 namespace laminate_offset
 {
+
+//! The remedies that refusals of meetings name: of an offset, and of plies.
+inline constexpr std::string_view smaller_distance = "use a smaller distance";
+inline constexpr std::string_view fewer_plies = "lay fewer or thinner plies";
 
 struct SelfIntersectionQuery
 {
@@ -36,6 +41,7 @@ struct SelfIntersectionQuery
     const TensorSpline &offset; //!< in the base's parameters
     double distance = 0.0;      //!< along S_u x S_v [mm]; below twice the tolerance nothing is examined
     double tolerance = 0.0;     //!< of the offset [mm]
+    std::string_view remedy = smaller_distance;
 };
 
 //! Two places inside the loops that the offset takes to one point.

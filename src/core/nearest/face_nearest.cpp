@@ -20,7 +20,7 @@ Failure procedural()
     return {
         Status::NotSupported, Stage::Trimming,
         "Nearest points of a procedural surface (an offset of a free-form surface, a swept offset curve or hyperbola) "
-        "are not available; turn the face into a spline first, for instance with offset_face(face, 0).",
+        "are not available; turn the face into a spline first, for instance by its offset at the distance 0.",
         std::nullopt, std::nullopt};
 }
 

@@ -373,7 +373,7 @@ private:
         for (const double end : {range.low, range.high})
         {
             const Result<bool> settled =
-                check_meetings(analysis, m_input, member(family.value(), end), end, m_options.tolerance);
+                check_meetings(analysis, m_input, member(family.value(), end), end, m_options.tolerance, fewer_plies);
             if (!settled)
                 return settled.failure();
             apart = apart && settled.value();

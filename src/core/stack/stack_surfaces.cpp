@@ -131,8 +131,8 @@ Result<StackSurfaces> stack_surfaces(const SurfaceAnalysis &analysis, const Inpu
         return made;
     bool apart = true;
     const auto settled = [&](double distance) {
-        Result<bool> end =
-            check_meetings(analysis, input, made.value().at(distances, distance), distance, options.tolerance);
+        Result<bool> end = check_meetings(analysis, input, made.value().at(distances, distance), distance,
+                                          options.tolerance, fewer_plies);
         apart = apart && end && end.value();
         return end;
     };

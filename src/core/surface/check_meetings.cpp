@@ -2,7 +2,6 @@
 #include "check_meetings.h"
 
 #include "../analysis/part_meetings.h"
-#include "../analysis/self_intersection.h"
 
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -92,7 +91,7 @@ PartsApart unsettled(const std::vector<AnalysedPart> &parts, const std::vector<C
 } // namespace
 
 Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &input, const OffsetSurface &surface,
-                            double distance, double tolerance)
+                            double distance, double tolerance, std::string_view remedy)
 {
     Handle(Geom_Surface) geometry = surface.geometry;
     if (surface.parameter_map) // the search runs in the base's parameters: on a fit that is as near to the exact offset
@@ -105,7 +104,7 @@ Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &in
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(geometry);
     if (spline.IsNull())
         return true;
-    return check_self_intersection({analysis, input, from_geom(spline), distance, tolerance});
+    return check_self_intersection({analysis, input, from_geom(spline), distance, tolerance, remedy});
 }
 
 Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
@@ -137,11 +136,10 @@ Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, c
         Status::SelfIntersection, Stage::Surface,
         fmt::format(
             "At the distance {:.6g} mm the {} of the reported place {} of the place u={:.6g}, v={:.6g} ({:.6g}, "
-            "{:.6g}, {:.6g}) on another part of the creased face; use a smaller distance, or split the face "
-            "between the two.",
+            "{:.6g}, {:.6g}) on another part of the creased face; {}, or split the face between the two.",
             input.from_face(distance), between == Between::Plies ? "plies" : "offset",
             between == Between::Plies ? "run into those" : "meets that", there.uv.X(), there.uv.Y(), there.point.X(),
-            there.point.Y(), there.point.Z()),
+            there.point.Y(), there.point.Z(), between == Between::Plies ? fewer_plies : smaller_distance),
         here, std::nullopt};
 }
 

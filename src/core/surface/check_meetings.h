@@ -6,8 +6,10 @@
 #include "offset_surface.h"
 
 #include "../analysis/crease_sides.h"
+#include "../analysis/self_intersection.h"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace laminate_offset
@@ -16,10 +18,11 @@ namespace laminate_offset
 //! Refuses an offset whose distant parts meet (self_intersection.h). Analytic surfaces inside their limits do not.
 //! \param distance along S_u x S_v [mm].
 //! \param tolerance of the offset [mm].
+//! \param remedy that a refusal names.
 //! \return true where it does not, false where the search could not settle it.
 //! Refusal: SelfIntersection.
 Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &input, const OffsetSurface &surface,
-                            double distance, double tolerance);
+                            double distance, double tolerance, std::string_view remedy = smaller_distance);
 
 //! A part of a creased base.
 struct AnalysedPart

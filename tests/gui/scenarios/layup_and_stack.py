@@ -80,7 +80,11 @@ def wrong_cell_is_marked(layup) -> None:
     cell(1, 3, "4S")
     item = widget("rows").topLevelItem(1)
     assert item.foreground(3).color().red() > 200 and "degrees" in item.toolTip(3)
-    assert result_is_red() and "4S" in result_text()
+    title = widget("rows", QtGui.QTreeWidget).headerItem().text(3)
+    assert (
+        result_is_red() and f"ply 2, {title}: found '4S', expected a number of degrees" in result_text()
+    ), result_text()
+    assert title == "Angle" and "angle_deg" not in result_text()
     screenshot("wrong_cell")
     press(BUTTON.Ok)
     assert Gui.Control.activeDialog(), "a wrong table must not be kept"

@@ -4,7 +4,7 @@
 import math
 
 import FreeCADGui as Gui
-import Part
+from models import only, wavy_document
 from PySide import QtGui
 from session import (
     click,
@@ -18,7 +18,6 @@ from session import (
     run_command,
     screenshot,
     select,
-    start,
     type_into,
     widget,
     words_in,
@@ -35,33 +34,11 @@ ALWAYS = {"Layup", "ImportLayup"}
 
 def run() -> None:
     """Called by scenario_runner.py."""
-    doc = start()
-    base = doc.addObject("Part::Feature", "Wavy")
-    base.Shape = wavy_face()
-    doc.recompute()
-    look_at_all()
+    doc, base = wavy_document()
     limits(doc, base)
     extension(doc, base)
     deviation(doc, base)
     activity(doc, base)
-
-
-def wavy_face():
-    """A free-form face of 70 x 70 mm whose radii of curvature are above 15 mm."""
-    from FreeCAD import Vector
-
-    surface = Part.BSplineSurface()
-    rows = range(8)
-    surface.interpolate(
-        [[Vector(10 * i, 10 * j, 5 * math.sin(0.7 * i) * math.cos(0.6 * j)) for j in rows] for i in rows]
-    )
-    return surface.toShape()
-
-
-def only(doc, name: str):
-    """The one object of a name."""
-    (found,) = [obj for obj in doc.Objects if obj.Name.startswith(name)]
-    return found
 
 
 def limits(doc, base) -> None:

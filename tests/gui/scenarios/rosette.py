@@ -3,14 +3,13 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from models import only, wavy_document
 from PySide import QtCore, QtGui
-from scenarios.other_commands import only, wavy_face
 from session import (
     QTest,
     cell,
     click_in_view,
     edit,
-    look_at_all,
     press,
     pump,
     result_is_red,
@@ -18,7 +17,6 @@ from session import (
     run_command,
     screenshot,
     select,
-    start,
     type_into,
     widget,
     words_in,
@@ -29,11 +27,7 @@ BUTTON = QtGui.QDialogButtonBox
 
 def run() -> None:
     """Called by scenario_runner.py."""
-    doc = start(1280, 720)
-    base = doc.addObject("Part::Feature", "Wavy")
-    base.Shape = wavy_face()
-    doc.recompute()
-    look_at_all()
+    doc, base = wavy_document(1280, 720)
     rosette = picked(doc, base)
     stack = used(doc, base, rosette)
     named_in_the_table(doc, base, stack)
@@ -80,7 +74,7 @@ def used(doc, base, rosette):
     run_command("LaminateOffset_PlyStack")
     box = widget("rosette", QtGui.QComboBox)
     assert [box.itemText(row) for row in range(box.count())] == [
-        "none: the x axis",
+        "none: an axis of the model",
         "Rosette",
     ] and box.currentIndex() == 1
     widget("output", QtGui.QComboBox).setCurrentText("Named plies")

@@ -6,8 +6,8 @@ import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from models import hide_docks, only, wavy_document
 from PySide import QtCore, QtGui
-from scenarios.other_commands import only, wavy_face
 from session import (
     OUT,
     QTest,
@@ -21,7 +21,6 @@ from session import (
     run_command,
     screenshot,
     select,
-    start,
     type_into,
     view_image,
     widget,
@@ -36,13 +35,8 @@ TABLE = os.path.join(
 
 def run() -> None:
     """Called by scenario_runner.py."""
-    doc = start(1280, 720)
-    for name in ("Python console", "Report view"):
-        for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget, name):
-            dock.hide()
-    base = doc.addObject("Part::Feature", "Wavy")
-    base.Shape = wavy_face()
-    doc.recompute()
+    doc, base = wavy_document(1280, 720)
+    hide_docks()
     look_at_all()
     curvature(doc, base)
     fold(doc, base)

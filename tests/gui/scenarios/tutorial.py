@@ -7,6 +7,8 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import ImportGui
+from fitting import fits
+from models import hide_docks
 from PySide import QtCore, QtGui
 from session import (
     OUT,
@@ -35,9 +37,7 @@ PLIES = (("AS4-8552S-PW-193", "45"), ("IM7-8552-134", "0"), ("IM7-8552-134", "-4
 def run() -> None:
     """Called by scenario_runner.py."""
     App.closeDocument(start(1280, 720).Name)
-    for name in ("Python console", "Report view"):
-        for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget, name):
-            dock.hide()
+    hide_docks()
     ImportGui.open(os.path.join(EXAMPLES, "panel_two_holes.step"))
     doc = App.ActiveDocument
     (panel,) = [obj for obj in doc.Objects if hasattr(obj, "Shape") and len(obj.Shape.Faces) == 1]
@@ -179,24 +179,3 @@ def export(doc) -> None:
         text = file.read()
     assert all(f"'{name}'" in text for name in ("P1", "P4", "P4.2", "P1.2")), "the plies' names are not in the file"
     Gui.Selection.clearSelection()
-
-
-def fits(picture: str) -> None:
-    """Every visible part of the panel lies within the panel's width: nothing is cut off at the side."""
-    screenshot(picture)
-    form = widget("result", QtGui.QLabel).parentWidget()
-    area = form
-    while not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    right = area.viewport().mapToGlobal(area.viewport().rect().topRight()).x()
-    for child in form.findChildren(QtGui.QWidget):
-        if child.isVisible() and not isinstance(child.parentWidget(), (QtGui.QAbstractScrollArea, QtGui.QHeaderView)):
-            assert child.mapToGlobal(child.rect().topRight()).x() <= right, f"{child.objectName()} is cut off"
-            if isinstance(child, QtGui.QLabel) and not child.wordWrap():
-                assert child.width() >= child.sizeHint().width(), f"{child.text()!r} is cut off"
-            if isinstance(child, QtGui.QTreeWidget):
-                last = child.columnCount() - 1
-                end = child.header().sectionViewportPosition(last) + child.header().sectionSizeHint(last)
-                assert (
-                    end <= child.viewport().width()
-                ), f"columns are cut off: {end} > {child.viewport().width()} pixels"

@@ -3,22 +3,23 @@
 
 import argparse
 import os
-from typing import Any, Optional, TextIO
+from contextlib import ExitStack, contextmanager
+from typing import Any, Dict, Iterator, List, Optional, TextIO
 
 from ..each_face import choose, refusal_line
 from ..errors import OffsetError
 from ..export import export_calculix, export_composite_cae, export_ply_book
 from ..export.calculix import check_section
-from ..export.composite_cae import check_rosettes, require_h5py
+from ..export.composite_cae import check_creases, check_rosettes, require_h5py
 from ..export.fibres import ONE_ROSETTE
 from ..export.pictures import require_matplotlib
 from ..export.step import SCHEMAS
 from ..files import format_of, read_faces, write_json
 from ..layup import Layup, read_layup
-from ..replacing import FileError
-from ..rosette import Rosettes, check_none_named, check_one_rosette, rosette_of
+from ..replacing import FileError, replacing
+from ..rosette import Rosette, Rosettes, check_none_named, check_one_rosette, rosette_of
 from ..stack import SURFACES, PlyStack, stack_plies
-from . import CANCELLED, DONE, REFUSED
+from . import DONE, REFUSED
 from .arguments import OUTPUT_HELP, add_input, add_report, add_tolerance, one_face_number
 from .bar import Bar
 from .boundaries import add_boundaries, boundary_arguments
@@ -83,10 +84,13 @@ def run(arguments: argparse.Namespace, out: TextIO, err: TextIO) -> int:
             write_json(refusal.report.to_dict(), arguments.report)
         return REFUSED
     try:
-        _write(stack, arguments, axes, err)
-    except KeyboardInterrupt:
-        print("laminate-offset: cancelled; only the files named above were written.", file=err)
-        return CANCELLED
+        written = _write(stack, arguments, axes, err)
+    except (FileError, ValueError) as error:
+        if arguments.report:
+            write_json(_unwritten(stack, error), arguments.report)
+        raise
+    for path in written:
+        print(f"laminate-offset: wrote {path}", file=err)
     for warning in stack.report["warnings"]:
         print(f"laminate-offset: warning: {warning}", file=err)
     print(f"face {number}: {stack.summary()}", file=out)
@@ -124,23 +128,53 @@ def _check_layup(arguments: argparse.Namespace, layup: Layup, axes: Optional[Ros
         check_rosettes(plies, axes, "with --rosette")
 
 
-def _write(stack: PlyStack, arguments: argparse.Namespace, axes: Optional[Rosettes], err: TextIO) -> None:
-    """Writes all that was asked for."""
-    stack.export(arguments.output, arguments.solids, arguments.schema)
-    print(f"laminate-offset: wrote {arguments.output}", file=err)
+def _unwritten(stack: PlyStack, error: Exception) -> Dict[str, Any]:
+    """The report on a stack of which nothing was written."""
+    return {
+        **stack.report,
+        "status": "not-written",
+        "stage": "export",
+        "message": str(error),
+        "stack": stack.ply_reports(),
+    }
+
+
+def _write(stack: PlyStack, arguments: argparse.Namespace, axes: Optional[Rosettes], err: TextIO) -> List[str]:
+    """Writes all files that were asked for, or none of them; returns their paths."""
+    if arguments.hdf5 is not None:
+        check_creases(stack)
     plies = [ply.ply for ply in stack.plies]
     one = None if axes is None else rosette_of(axes, plies[0].ply.rosette, plies)  # for what holds plies of one only
-    for option in TEXTS:
-        path = getattr(arguments, option)
-        if path is None:
-            continue
-        if option == "book":
-            with Bar(1, err, "ply book") as bar:
-                export_ply_book(stack, path, rosette=one, progress=bar.progress_after(0))
-        elif option == "calculix":
-            export_calculix(stack, path, rosette=one)
-        elif option == "hdf5":
-            export_composite_cae(stack, path, rosette=axes)
-        else:
-            stack.export(path)
-        print(f"laminate-offset: wrote {path}", file=err)
+    texts = {option: getattr(arguments, option) for option in TEXTS if getattr(arguments, option) is not None}
+    with ExitStack() as files:  # the files take their places together, at its end
+        with _made(files, arguments.output) as path:
+            stack.export(path, arguments.solids, arguments.schema)
+        for option, target in texts.items():
+            with _made(files, target) as path:
+                _write_text(option, stack, path, one, axes, err)
+    return [arguments.output, *texts.values()]
+
+
+@contextmanager
+def _made(files: ExitStack, target: str) -> Iterator[str]:
+    """A path to write to now, which becomes the target when `files` ends without an exception."""
+    path = files.enter_context(replacing(target))
+    try:
+        yield path
+    except FileError as error:
+        raise FileError(str(error).replace(path, target)) from error
+
+
+def _write_text(
+    option: str, stack: PlyStack, path: str, one: Optional[Rosette], axes: Optional[Rosettes], err: TextIO
+) -> None:
+    """Writes the file of one of TEXTS."""
+    if option == "book":
+        with Bar(1, err, "ply book") as bar:
+            export_ply_book(stack, path, rosette=one, progress=bar.progress_after(0))
+    elif option == "calculix":
+        export_calculix(stack, path, rosette=one)
+    elif option == "hdf5":
+        export_composite_cae(stack, path, rosette=axes)
+    else:
+        stack.export(path)

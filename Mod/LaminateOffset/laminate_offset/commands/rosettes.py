@@ -2,7 +2,7 @@
 """Arguments of the command line for the axes that ply angles refer to."""
 
 import argparse
-from typing import Any, Dict, Optional, Tuple
+from typing import Dict, Optional, Tuple
 
 from ..layup import Layup
 from ..rosette import Rosette, Rosettes
@@ -25,9 +25,14 @@ def add_rosettes(parser: argparse.ArgumentParser) -> None:
 
 def rosettes_of(arguments: argparse.Namespace, layup: Layup) -> Optional[Rosettes]:
     """All rosettes that were given, by name, or None. Raises ValueError for a name that no row has, for one that stands twice,
-    and for rows without a rosette among those given."""
+    for rows without a rosette among those given, and where no file that is asked for needs one."""
     if not arguments.rosette:
         return None
+    if all(path is None for path in (arguments.book, arguments.calculix, arguments.hdf5)):
+        raise ValueError(
+            "--rosette: no file that is asked for has angles from a rosette; give --book, --calculix or --hdf5, too, or leave it "
+            "out."
+        )
     known = [ply.ply.rosette for ply in layup.physical_plies()]
     axes: Dict[str, Rosette] = {}
     for name, rosette in arguments.rosette:
@@ -48,13 +53,23 @@ def _parsed(text: str) -> Tuple[str, Rosette]:
     name, equals, numbers = text.rpartition("=")
     if equals and not name:
         raise argparse.ArgumentTypeError(f"{text}: a name must stand before =; write {FORM}.")
+    parts = numbers.split(":")
+    if len(parts) != 2:
+        raise argparse.ArgumentTypeError(
+            f"{text}: origin and first axis must stand on either side of one colon; write {FORM}."
+        )
+    origin, direction = (_three(part, text) for part in parts)
     try:
-        origin, direction = (_three(part) for part in numbers.split(":"))
         return name, Rosette(origin, direction)
     except ValueError as error:
-        raise argparse.ArgumentTypeError(f"{text}: write {FORM}, with lengths in mm: {error}") from error
+        raise argparse.ArgumentTypeError(f"{text}: write {FORM}: {error}") from error
 
 
-def _three(text: str) -> Any:
-    x, y, z = (float(number) for number in text.split(","))
+def _three(part: str, text: str) -> Tuple[float, float, float]:
+    try:
+        x, y, z = (float(number) for number in part.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text}: '{part}' is not three numbers with commas between; write {FORM}, with lengths in mm."
+        ) from None
     return x, y, z

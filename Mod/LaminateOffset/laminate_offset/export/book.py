@@ -65,6 +65,7 @@ def export_ply_book(
     Raises:
         FileError: the file cannot be written, or Matplotlib is missing.
         ValueError: rows of the layup name different rosettes.
+        TypeError: rosette is no Rosette.
         KeyboardInterrupt: progress returned False.
     """
     path = os.fspath(path)

@@ -44,6 +44,7 @@ def export_calculix(
         FileError: the file cannot be written.
         ValueError: element_set is no name that CalculiX takes, or a ply has a boundary: one section is the same on all of
             its elements; or rows of the layup name different rosettes.
+        TypeError: rosette is no Rosette.
     """
     check_section(ply.ply for ply in stack.plies)
     path = os.fspath(path)

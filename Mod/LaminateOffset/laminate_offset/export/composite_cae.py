@@ -86,15 +86,12 @@ def export_composite_cae(
     Raises:
         FileError: the file cannot be written, or h5py is missing.
         ValueError: element_size is not above zero, or so small that there would be too many elements; rows of the layup
-            name rosettes that are not given; or a rosette's axis stands on the surface.
+            name rosettes that are not given; a rosette's axis stands on the surface; or the face has creases.
+        TypeError: rosette is neither a Rosette nor a mapping of them.
     """
     path = os.fspath(path)
     h5py = require_h5py()
-    if any(ply.report.crease for ply in stack.plies):
-        raise ValueError(
-            "The lay-up face has a crease, which the elements of the file would bridge; split the face there and export "
-            "a stack of each part."
-        )
+    check_creases(stack)
     size = _element_size(stack, element_size)
     axes = _axes(stack, rosette)
     meshes = _meshes(stack, size)
@@ -102,6 +99,15 @@ def export_composite_cae(
     with replacing(path) as temporary:
         with open(temporary, "wb") as file:
             file.write(image)
+
+
+def check_creases(stack: "PlyStack") -> None:
+    """Raises ValueError for the stack of a face with creases."""
+    if any(ply.report.crease for ply in stack.plies):
+        raise ValueError(
+            "The lay-up face has a crease, which the elements of the HDF5 file would bridge; split the face there and export "
+            "a stack of each part."
+        )
 
 
 def _image(h5py: Any, stack: "PlyStack", axes: Dict[str, Rosette], meshes: Dict[int, "Elements"]) -> bytes:
@@ -152,7 +158,7 @@ def _axes(stack: "PlyStack", rosette: Optional[Rosettes]) -> Dict[str, Rosette]:
     plies = [ply.ply for ply in stack.plies]
     check_rosettes(plies, rosette)
     chosen = usual_rosette(stack.base_face) if rosette is None else rosette
-    return {ply.ply.rosette: rosette_of(chosen, ply.ply.rosette, plies) for ply in plies}
+    return {ply.ply.rosette: rosette_of(chosen, ply.ply.rosette, plies, "rosette") for ply in plies}
 
 
 def _meshes(stack: "PlyStack", size: float) -> Dict[int, Elements]:

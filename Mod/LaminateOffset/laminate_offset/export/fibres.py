@@ -8,7 +8,7 @@ import numpy
 from .. import _core
 from ..api import nearest_point
 from ..errors import OffsetError
-from ..rosette import Rosette, check_none_named, check_one_rosette
+from ..rosette import Rosette, check_none_named, check_one_rosette, check_rosette
 from ..rosette import fibre_directions as directions_on
 
 if TYPE_CHECKING:
@@ -41,8 +41,9 @@ def axes_of(stack: "PlyStack", rosette: Optional[Rosette] = None) -> Axes:
 
     Without a rosette, the first axis is the model's x axis projected onto the surface at the middle of its parameters, or
     another one where x stands on it; see usual_rosette. Raises ValueError where rows of the layup name different rosettes,
-    or one although none is given.
+    or one although none is given, and TypeError for a rosette that is none.
     """
+    check_rosette(rosette)
     plies = [ply.ply for ply in stack.plies]
     check_one_rosette(plies, ONE_ROSETTE)
     if rosette is None:

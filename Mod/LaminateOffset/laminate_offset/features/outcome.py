@@ -20,6 +20,7 @@ PROPERTIES = (
     Property(
         "App::PropertyString", "Message", "Report", "What was made, or why not and what would work", "", READ_ONLY
     ),
+    Property("App::PropertyStringList", "Warnings", "Report", "What is right but hardly wanted", [], READ_ONLY),
     Property(
         "App::PropertyBool",
         "OutOfDate",
@@ -111,16 +112,18 @@ def add_feature(doc: Any, kind: Callable[[Any], Feature], name: str, type_name: 
     return obj
 
 
-def accept(obj: Any, message: str, reports: Sequence[Mapping[str, Any]]) -> None:
-    """Writes down a success."""
+def accept(obj: Any, message: str, reports: Sequence[Mapping[str, Any]], warnings: Sequence[str] = ()) -> None:
+    """Writes down a success; the warnings are the message's last lines."""
     obj.Status = "ok"
-    obj.Message = message
+    obj.Message = "\n".join([message, *warnings])
+    obj.Warnings = list(warnings)
     obj.ReportJson = json.dumps(list(reports))
 
 
 def _refuse(obj: Any, error: Exception) -> None:
     obj.Status = status_of(error)
     obj.Message = messages.refusal(error, getattr(error, "face", ""))
+    obj.Warnings = []
     obj.OutOfDate = has_result(obj)
     where = getattr(error, "where", None)
     _mark_fold(obj, getattr(error, "fold_region", None))

@@ -11,9 +11,9 @@ import Part
 
 import laminate_offset as lo
 
-from ..boundary_texts import stagger_of
+from ..boundary_texts import sided, sides_of, stagger_of
 from ..rosette import fibre_directions
-from ..stack import SURFACES
+from ..stack import RAMP_SLOPES, SURFACES
 from ..view_settings import OFFSET_LOOK, ViewProvider
 from . import progress
 from .base_face import BaseFaceError, container_placement, linked_faces, place_result, rooted
@@ -23,6 +23,16 @@ from .outcome import Feature, accept, add_feature
 from .properties import READ_ONLY, Property
 from .rosette import RosetteFeature, rosette_of
 
+#: What the engine's messages ask for, and where the panel has it.
+_FIELDS = (
+    ("say which side the ply is on: left, right, or the side next to a point", "give its label left or right in Sides"),
+    (
+        "say which side the ply is on (left, right, or the side next to a point)",
+        "give its label left or right in Sides",
+    ),
+    ("allow a boundary gap of", "allow a Boundary gap of"),
+    ("The ratio of a ramp's length to the thickness", "Drop-off"),
+)
 OUTPUTS = ["One compound", "Named plies"]
 COLOURS = ["by angle", "by material"]
 
@@ -44,7 +54,25 @@ class PlyStackFeature(Feature):
             "The axes that angles refer to, where a row of the layup names none",
         ),
         Property("App::PropertyLinkList", "Rosettes", "Stack", "Rosettes; the layup's rows call them by label"),
+        Property(
+            "App::PropertyStringList",
+            "Sides",
+            "Stack",
+            "The part of the face that plies keep: Label=left; inside or outside of closed boundaries, left or right of open "
+            "ones, as seen from outside; inside where nothing is said",
+            [],
+        ),
         Property("App::PropertyFloat", "DropOff", "Stack", "Length of a ramp over its height, where plies end", 20.0),
+        Property(
+            "App::PropertyLength", "RampLength", "Stack", "Length of a ramp; 0: DropOff times the ply's thickness", 0.0
+        ),
+        Property(
+            "App::PropertyEnumeration",
+            "RampSlope",
+            "Stack",
+            "Which slope of a ramp DropOff or RampLength stand for",
+            list(RAMP_SLOPES),
+        ),
         Property(
             "App::PropertyLength",
             "BoundaryGap",
@@ -86,10 +114,10 @@ class PlyStackFeature(Feature):
         check_rosettes(obj)
         stack = _stack(obj)
         place_result(obj, [stack.to_shape(solids=obj.Solids)])
-        for warning in stack.report["warnings"]:
+        warnings = [*_unknown_rosettes(obj), *stack.report["warnings"]]
+        for warning in warnings:
             App.Console.PrintWarning(f"{obj.Label}: {warning}\n")
-        message = "\n".join([stack.summary() + _unknown_rosettes(obj), *stack.report["warnings"]])
-        accept(obj, message, stack.ply_reports())
+        accept(obj, stack.summary(), stack.ply_reports(), warnings)
         obj.Thickness = stack.report["thickness"]
         obj.PlyCount = len(stack.plies)
         obj.CertifiedError = _figure(stack.report["certified_error"])
@@ -223,13 +251,29 @@ def rosette_for_all(stack: Any) -> Any:
     return rosettes_of(stack).get(names.pop()) if len(names) == 1 else None
 
 
-def _unknown_rosettes(stack: Any) -> str:
-    """The end of a message for rows that name rosettes which are not linked: a table may come without them."""
+def _unknown_rosettes(stack: Any) -> List[str]:
+    """The warning about rows that name rosettes which are not linked: a table may come without them."""
     names = {ply.ply.rosette for ply in layup_of(stack.Layup).physical_plies() if ply.ply.rosette}
     unknown = sorted(names - set(rosettes_of(stack)))
     if not unknown:
-        return ""
-    return f"; fibre directions are unknown where rows name {', '.join(map(repr, unknown))}: make a rosette with that label"
+        return []
+    listed = ", ".join(map(repr, unknown))
+    return [f"Fibre directions are unknown where rows name {listed}: make a rosette with that label."]
+
+
+def check_linked_rosettes(stack: Any) -> None:
+    """Raises ValueError where rows refer to a rosette that the stack does not have, which files need."""
+    names = {ply.ply.rosette for ply in layup_of(stack.Layup).physical_plies()}
+    missing = names - set(rosettes_of(stack))
+    unknown = ", ".join(repr(name) for name in sorted(missing) if name)
+    if unknown:
+        raise ValueError(
+            f"Rows of the layup name {unknown} in the column Rosette; make a rosette with that label and edit the stack."
+        )
+    if missing and names != missing:
+        raise ValueError(
+            "Some rows of the layup name a rosette and others none; choose a Rosette in the stack's panel for the others."
+        )
 
 
 def rosettes_for_plies(stack: Any) -> Optional[Dict[str, Any]]:
@@ -266,7 +310,8 @@ def plies_of(stack: Any) -> List[Any]:
 
 def ply_reports(stack: Any) -> List[Dict[str, Any]]:
     """What the last good recompute told about every ply; [] when there was none."""
-    return json.loads(stack.ReportJson) if stack.Status == "ok" else []
+    reports = json.loads(stack.ReportJson) if stack.Status == "ok" else []
+    return [report for report in reports if "number" in report]  # while undo gives back a refusal, its report may come first
 
 
 def result_of(stack: Any) -> Any:
@@ -303,28 +348,62 @@ def _stack(obj: Any) -> Any:
     if obj.Layup is None:
         raise BaseFaceError("null-shape", "No layup is chosen; edit the stack and choose one.")
     (name, face), layup = faces[0], layup_of(obj.Layup)
+    _check_boundaries(obj, layup)
     options = {
         "tolerance": obj.Tolerance.Value,
         "surface": obj.Surface,
         "max_degree": obj.MaxDegree,
         "solids": obj.Solids,
-        "boundaries": {boundary.Label: _global_shape(boundary) for boundary in obj.Boundaries},
-        "drop_off": obj.DropOff,
+        "boundaries": _boundaries(obj),
+        "drop_off": _drop_off(obj),
+        "ramp_slope": obj.RampSlope,
         "boundary_gap": obj.BoundaryGap.Value or None,
-        "stagger": _stagger(obj),
+        "stagger": stagger_of(obj.Stagger, "Stagger"),
     }
     try:
         return progress.run(obj.Label, lambda report: _laid(face, layup, report, options))
     except lo.OffsetError as error:
-        error.face = name
+        error.face, error.message = name, _of_fields(error.message)
         raise
-
-
-def _stagger(obj: Any) -> Any:
-    try:
-        return stagger_of(obj.Stagger)
+    except lo.LayupError:
+        raise
     except ValueError as error:
-        raise ValueError(f"Stagger: {error}.") from error
+        raise ValueError(_of_fields(str(error))) from error
+
+
+def _of_fields(message: str) -> str:
+    """A message of the engine with the fields of the panel in its remedy."""
+    for asked, field in _FIELDS:
+        message = message.replace(asked, field)
+    return message
+
+
+def _check_boundaries(obj: Any, layup: Any) -> None:
+    """Raises BaseFaceError for rows whose boundary is not linked."""
+    known = [boundary.Label for boundary in obj.Boundaries]
+    names = {ply.boundary for ply in layup.plies if ply.active and ply.boundary}
+    if not names <= set(known):
+        missing = ", ".join(map(repr, sorted(names - set(known))))
+        raise BaseFaceError(
+            "invalid-layup",
+            f"Rows of the layup name the boundary {missing}, which is not among the stack's; give a curve or a sketch that "
+            "label and edit the stack, or correct the column Boundary of the layup.",
+        )
+
+
+def _boundaries(obj: Any) -> Any:
+    """The boundaries by their labels, with the sides that plies keep."""
+    shapes = {boundary.Label: _global_shape(boundary) for boundary in obj.Boundaries}
+    return sided(shapes, sides_of(obj.Sides, "Sides"), "Sides", "name it in the layup's column Boundary")
+
+
+def _drop_off(obj: Any) -> Any:
+    """The ramps' length, or else the ratio that gives it."""
+    if obj.RampLength.Value:
+        return obj.RampLength
+    if not obj.DropOff > 0.0:
+        raise ValueError(f"Drop-off must be above 0; it is {obj.DropOff:g}. Else give a Ramp length.")
+    return obj.DropOff
 
 
 def _laid(face: Any, layup: Any, report: Optional[progress.Report], options: Dict[str, Any]) -> Any:

@@ -2,15 +2,20 @@
 """The table of plies in the layup panel: cells that are edited in place, rows that are dragged."""
 
 import re
+from dataclasses import replace
 from typing import Any, Callable, Dict, Iterable, List, Sequence
 
 from PySide import QtCore, QtGui
 
 #: Columns of the table and of the document's entries.
 COLUMNS = ("ply", "material", "thickness_mm", "angle_deg", "count", "boundary", "rosette", "active")
+_FIELDS = ("name", "material", "thickness", "angle", "count", "boundary", "rosette", "active")
 NAME, MATERIAL, THICKNESS, ANGLE, COUNT, BOUNDARY, ROSETTE, ACTIVE = range(8)
 
 _WIDTHS = (50, 112, 46, 46, 44, 64, 58, 26)
+
+#: Of a column for names, and what it has beside their letters.
+_WIDEST, _MARGINS = 200, 12
 
 ANGLES = (0, 45, -45, 90, 30, -30, 60, -60)
 
@@ -61,7 +66,15 @@ class PlyTable:
         self._tree.clear()
         self._tree.addTopLevelItems([_item(ply) for ply in plies])
         self._tree.blockSignals(False)
+        self._widen()
+
+    def _widen(self) -> None:
+        """Makes the columns wide enough for their titles, and for the names of materials that can be chosen."""
+        letters = self._tree.fontMetrics()
+        names = max(letters.boundingRect(name).width() for name in ["", *self._materials()])
         for column, width in enumerate(_WIDTHS):
+            if column == MATERIAL:
+                width = max(width, min(names + _MARGINS, _WIDEST))
             # Style sheets may give titles more room than their letters need.
             self._tree.setColumnWidth(column, max(width, self._tree.header().sectionSizeHint(column)))
 
@@ -87,6 +100,16 @@ class PlyTable:
                 items[problem.row - 1].setToolTip(column, f"found {problem.found}, expected {problem.expected}")
         self._tree.blockSignals(False)
         self._tree.viewport().update()
+
+    def titled(self, problems: Sequence[Any]) -> List[Any]:
+        """The problems with the titles of their columns, as the table has them; what has no column here keeps its name."""
+        header = self._tree.headerItem()
+        return [
+            replace(problem, column=header.text(_column(problem.column)))
+            if problem.unit == "ply" and _has_column(problem.column)
+            else problem
+            for problem in problems
+        ]
 
     def add(self) -> None:
         """Adds a ply of the same material after the selected one, and lets its angle be typed."""
@@ -224,8 +247,11 @@ def _text(value: Any) -> str:
     return "" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
 
 
+def _has_column(name: str) -> bool:
+    return name in COLUMNS or name in _FIELDS
+
+
 def _column(name: str) -> int:
     """The column of a problem, which names a document's key or a ply's field; the first when it has none here."""
-    fields = ("name", "material", "thickness", "angle", "count", "boundary", "rosette", "active")
-    names = COLUMNS if name in COLUMNS else fields
+    names = COLUMNS if name in COLUMNS else _FIELDS
     return names.index(name) if name in names else NAME

@@ -8,12 +8,23 @@ import FreeCAD as App
 
 from ...export import export_calculix, export_composite_cae, export_ply_book
 from ...features import progress
-from ...features.ply_stack import PlyFeature, PlyStackFeature, result_of, rosette_for_all, rosettes_for_plies
+from ...features.ply_stack import (
+    PlyFeature,
+    PlyStackFeature,
+    check_linked_rosettes,
+    result_of,
+    rosette_for_all,
+    rosettes_for_plies,
+)
 from ...replacing import FileError
 from ..texts import translate
 from .base import Command, selected_of
 
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
+
+
+#: Endings of files with the axes that angles count from.
+WITH_AXES = (".html", ".htm", ".inp", ".h5", ".hdf5")
 
 
 class ExportStackCommand(Command):
@@ -22,7 +33,8 @@ class ExportStackCommand(Command):
     NAME = "LaminateOffset_ExportStack"
     MENU = QT_TRANSLATE_NOOP("LaminateOffset_ExportStack", "Export Stack...")
     TIP = QT_TRANSLATE_NOOP(
-        "LaminateOffset_ExportStack", "Writes the selected stack: STEP with named plies, table, CalculiX section"
+        "LaminateOffset_ExportStack",
+        "Writes the selected stack: STEP with named plies, table, ply book, CalculiX section, HDF5 composite CAE",
     )
     ACCEL = "L, S"
 
@@ -64,7 +76,10 @@ class ExportStackCommand(Command):
 
     @staticmethod
     def create(stack: Any, path: str) -> None:
-        """Writes a stack object; the ending of the path decides what is written. Raises FileError or OffsetError."""
+        """Writes a stack object; the ending of the path decides what is written. Raises FileError, ValueError or
+        OffsetError."""
+        if os.path.splitext(path)[1].lower() in WITH_AXES:
+            check_linked_rosettes(stack)
         result, title, solids = result_of(stack), stack.Label, bool(stack.Solids)
         ending = os.path.splitext(path)[1].lower()
         if ending in (".html", ".htm"):

@@ -13,6 +13,7 @@ from ..texts import translate
 
 #: Legible on light and dark ground.
 _REFUSED = "color: #e01b24;"
+_WARNED = "color: #d05c00;"
 
 
 def flags(value: Any) -> int:
@@ -121,13 +122,13 @@ class FeaturePanel:
 
     def show_result(self) -> None:
         """Shows what the last recompute told."""
-        self.tell(self._feature.Message, refused=self._feature.Status != "ok")
+        self.tell(self._feature.Message, self._feature.Status != "ok", bool(self._feature.Warnings))
 
-    def tell(self, text: str, refused: bool = False) -> None:
-        """The panel's last line; a refusal is red, and scrolled to where it is seen."""
-        self.form.result.setStyleSheet(_REFUSED if refused else "")
+    def tell(self, text: str, refused: bool = False, warned: bool = False) -> None:
+        """The panel's last line; a refusal is red, a warning orange, and both are scrolled to where they are seen."""
+        self.form.result.setStyleSheet(_REFUSED if refused else _WARNED if warned else "")
         self.form.result.setText(text)
-        self._sight.keep(refused)
+        self._sight.keep(refused or warned)
 
     def closing(self) -> None:
         """Called before the panel closes."""

@@ -31,7 +31,7 @@ class LayupPanel(FeaturePanel):
     """Edits one layup. Every change is checked at once; what is wrong is red, and OK waits until it is right."""
 
     FORM = "LayupPanel"
-    WIDTH = 570
+    WIDTH = 600
     CHOICES = {"direction": "Direction", "reference": "Reference"}
     TICKS = {"symmetric": "Symmetric", "middlePly": "MiddlePly"}
     NUMBERS = {"repeat": "Repeat"}
@@ -63,7 +63,7 @@ class LayupPanel(FeaturePanel):
         except LayupError as error:
             self._table.mark(error.problems)
             self.form.total.setText("")
-            self.tell(str(error), refused=True)
+            self._tell_problems(error)
             return
         self._table.mark([])
         count = len(layup.physical_plies())
@@ -78,7 +78,7 @@ class LayupPanel(FeaturePanel):
         try:
             set_layup(self._feature, self._layup())
         except LayupError as error:
-            self.tell(str(error), refused=True)
+            self._tell_problems(error)
             return False
         self._doc.recompute([self._feature])
         for stack in all_of(PlyStackFeature, self._doc):
@@ -130,6 +130,10 @@ class LayupPanel(FeaturePanel):
         try:
             layup = self._layup()
         except LayupError as error:
-            self.tell(str(error), refused=True)
+            self._tell_problems(error)
             return
         layup_files.ask_and_write(layup, self._feature.Label)
+
+    def _tell_problems(self, error: LayupError) -> None:
+        """What is wrong, with the titles of the table's columns."""
+        self.tell(str(LayupError(error.source, self._table.titled(error.problems))), refused=True)

@@ -12,7 +12,7 @@ from . import base
 from .base import FacePanel
 
 
-#: Between the lists of different boundaries.
+#: Between the entries of different boundaries.
 _SEPARATOR = "; "
 
 
@@ -36,9 +36,11 @@ class PlyStackPanel(FacePanel):
 
     FORM = "PlyStackPanel"
     MANY = False
-    LENGTHS = {"tolerance": "Tolerance", "boundaryGap": "BoundaryGap"}
+    LENGTHS = {"tolerance": "Tolerance", "rampLength": "RampLength", "boundaryGap": "BoundaryGap"}
     TICKS = {"solids": "Solids"}
-    CHOICES = {"surface": "Surface", "output": "Output", "colours": "Colours"}
+    CHOICES = {"rampSlope": "RampSlope", "surface": "Surface", "output": "Output", "colours": "Colours"}
+    #: Lines with an entry for every boundary, and the object's properties.
+    ENTRIES = {"sides": "Sides", "stagger": "Stagger"}
 
     def __init__(self, feature: Any):
         self._layups: List[Any] = []
@@ -46,8 +48,10 @@ class PlyStackPanel(FacePanel):
         self._show_layups()
         self.form.dropOff.setValue(feature.DropOff)
         self.form.dropOff.valueChanged.connect(lambda ratio: self.assign("DropOff", ratio))
-        self.form.stagger.setText(_SEPARATOR.join(feature.Stagger))
-        self.form.stagger.editingFinished.connect(self._stagger_typed)
+        for name, prop in self.ENTRIES.items():
+            line = self._widget(name)
+            line.setText(_SEPARATOR.join(getattr(feature, prop)))
+            line.editingFinished.connect(lambda text=line.text, prop=prop: self._entries_typed(prop, text()))
         self._show_rosettes()
         self.form.layup.currentIndexChanged.connect(self._layup_chosen)
         self.form.newLayup.clicked.connect(self._new_layup)
@@ -86,15 +90,15 @@ class PlyStackPanel(FacePanel):
             None,
             *(obj for obj in self._doc.Objects if isinstance(getattr(obj, "Proxy", None), RosetteFeature)),
         ]
-        none = translate("PlyStackPanel", "none: the x axis")
+        none = translate("PlyStackPanel", "none: an axis of the model")
         self.form.rosette.addItems([none if rosette is None else rosette.Label for rosette in rosettes])
         if self._feature.Rosette in rosettes:
             self.form.rosette.setCurrentIndex(rosettes.index(self._feature.Rosette))
         self.form.rosette.currentIndexChanged.connect(lambda index: self.assign("Rosette", rosettes[index]))
 
-    def _stagger_typed(self) -> None:
-        entries = [entry.strip() for entry in self.form.stagger.text().split(_SEPARATOR.strip())]
-        self.assign("Stagger", [entry for entry in entries if entry])
+    def _entries_typed(self, prop: str, text: str) -> None:
+        entries = [entry.strip() for entry in text.split(_SEPARATOR.strip())]
+        self.assign(prop, [entry for entry in entries if entry])
 
     def _layup_chosen(self, index: int) -> None:
         if 0 <= index < len(self._layups):
