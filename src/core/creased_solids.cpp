@@ -71,8 +71,8 @@ std::optional<Failure> overlap(const std::vector<Part> &parts, double distance, 
     std::vector<AnalysedPart> bodies;
     for (const Part &part : parts)
         bodies.push_back({part.input, part.analysis, nullptr});
-    const Result<PartsApart> apart =
-        check_part_meetings(bodies, edges_between(parts, distance, tolerance), distance, tolerance, Between::Plies);
+    const Result<PartsApart> apart = check_part_meetings(bodies, edges_between(parts, distance, tolerance), distance,
+                                                         tolerance, Between::Plies, fewer_plies);
     if (!apart)
         return apart.failure();
     if (apart.value().settled)

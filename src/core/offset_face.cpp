@@ -35,7 +35,7 @@ constexpr double seam_share = 0.1;
 class Pipeline
 {
 public:
-    explicit Pipeline(const OffsetOptions &options) : m_options(options) {}
+    Pipeline(const OffsetOptions &options, std::string_view remedy) : m_options(options), m_meeting_remedy(remedy) {}
 
     Result<OffsetResult> run(const TopoDS_Shape &shape)
     {
@@ -195,7 +195,7 @@ private:
     {
         leave();
         const auto began = Clock::now();
-        std::vector<Pipeline> pipelines(parts.size(), Pipeline(m_options));
+        std::vector<Pipeline> pipelines(parts.size(), Pipeline(m_options, m_meeting_remedy));
         tbb::parallel_for(std::size_t{0}, parts.size(),
                           [&](std::size_t i) { made[i] = pipelines[i].make_alone(parts[i]); });
         const std::chrono::duration<double, std::milli> passed = Clock::now() - began;
@@ -242,7 +242,7 @@ private:
         }
         const std::vector<CreaseEdge> edges = crease_edges(creased, distance, m_options.tolerance);
         const Result<PartsApart> apart =
-            check_part_meetings(analysed, edges, distance, m_options.tolerance, Between::Nothing);
+            check_part_meetings(analysed, edges, distance, m_options.tolerance, Between::Nothing, m_meeting_remedy);
         if (!apart)
             return apart.failure();
         return Creases{kind_of(edges), apart.value().settled};
@@ -353,7 +353,8 @@ private:
         Result<OffsetSurface> made = offset_surface(analysis, input, distance, options);
         if (!made)
             return made;
-        const Result<bool> apart = check_meetings(analysis, input, made.value(), distance, options.tolerance);
+        const Result<bool> apart =
+            check_meetings(analysis, input, made.value(), distance, options.tolerance, m_meeting_remedy);
         if (!apart)
             return apart.failure();
         made.value().apart = apart.value();
@@ -391,6 +392,7 @@ private:
     }
 
     const OffsetOptions &m_options;
+    std::string_view m_meeting_remedy;
     Stage m_stage = Stage::Options;
     Clock::time_point m_entered;
     Elapsed m_elapsed;
@@ -402,7 +404,13 @@ TopoDS_Face OffsetResult::face() const { return TopoDS::Face(shape); }
 
 Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options)
 {
-    return Pipeline(options).run(shape);
+    return offset_face(shape, options, smaller_distance);
+}
+
+Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options,
+                                 std::string_view meeting_remedy)
+{
+    return Pipeline(options, meeting_remedy).run(shape);
 }
 
 } // namespace laminate_offset

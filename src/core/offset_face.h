@@ -10,6 +10,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <string_view>
+
 namespace laminate_offset
 {
 
@@ -35,5 +37,10 @@ struct OffsetResult
 //! \return the offset, or the first refusal of the pipeline (see PIPELINE.md). Bad geometry and
 //! exceptions of OpenCASCADE become a Failure; only std::bad_alloc can escape.
 Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options);
+
+//! As above, for what is more than an offset: where distant parts meet, the refusal names this remedy in place of a smaller
+//! distance.
+Result<OffsetResult> offset_face(const TopoDS_Shape &shape, const OffsetOptions &options,
+                                 std::string_view meeting_remedy);
 
 } // namespace laminate_offset

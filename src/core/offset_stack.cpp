@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_stack.h"
 
+#include "analysis/self_intersection.h"
 #include "analysis/surface_analysis.h"
 #include "input/input_face.h"
 #include "report/face_report.h"
@@ -161,7 +162,7 @@ private:
             [&](std::size_t i) {
                 OffsetOptions options = options_at(m_distances[i]);
                 options.progress = nullptr;
-                return offset_face(m_shape, options);
+                return offset_face(m_shape, options, fewer_plies);
             },
             StackResult{});
     }

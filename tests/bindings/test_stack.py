@@ -2,8 +2,10 @@
 """lo.stack_plies and `laminate-offset plies`: surfaces, figures, refusals and exit codes."""
 
 import json
+import math
 from pathlib import Path
 
+import FreeCAD
 import laminate_offset as lo
 import Part
 import pytest
@@ -72,6 +74,34 @@ def test_the_forms() -> None:
     assert stack.to_shape().ShapeType == "Compound" and len(stack.to_shape().Faces) == 2
     assert stack.top_face is stack.plies[1].top_face and stack.bottom_face is stack.plies[0].bottom_face
     assert "2 plies" in stack.summary()
+
+
+def bottle() -> "Part.Face":
+    """The side of a bottle with a throat of 4 mm between walls that are parallel there."""
+    wall = [(2.0, height) for height in range(60, 24, -6)] + [(2.6, 24.0), (5.0, 18.5)]
+    turns = [math.pi * (0.85 - 0.1 * step) for step in range(9)]
+    wall += [(12.0 * math.sin(turn), 5.0 - 12.0 * math.cos(turn)) for turn in turns]
+    points = [*wall, (0.0, -7.0), *((-x, y) for x, y in wall[::-1])]
+    profile = Part.BSplineCurve()
+    profile.interpolate([FreeCAD.Vector(x, y, 0.0) for x, y in points])
+    return profile.toShape().extrude(FreeCAD.Vector(0.0, 0.0, 30.0)).Faces[0]
+
+
+def test_plies_that_meet_across_a_throat_are_refused() -> None:
+    def plies(*thicknesses: float) -> lo.Layup:
+        return lo.Layup(tuple(lo.Ply(f"P{t}", "tape", t) for t in thicknesses), direction="reversed")
+
+    assert len(lo.stack_plies(bottle(), plies(0.5, 1.0)).plies) == 2
+    with pytest.raises(
+        lo.OffsetError, match="meets that of the place .*; lay fewer or thinner plies, or split"
+    ) as refused:
+        lo.stack_plies(bottle(), plies(1.0, 2.0))
+    assert (refused.value.status, refused.value.stage) == ("self-intersection", "surface")
+    where = refused.value.where
+    assert where is not None and abs(where["x"]) < 3.0 + 1e-6 and where["y"] > 17.0
+    with pytest.raises(lo.OffsetError, match="meets that of the place .*; use a smaller distance, or split") as refused:
+        lo.offset_face(bottle(), -3.0)
+    assert (refused.value.status, refused.value.stage) == ("self-intersection", "surface")
 
 
 def test_a_stack_past_the_limit_is_refused() -> None:

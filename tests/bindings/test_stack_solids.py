@@ -211,9 +211,12 @@ def test_plies_that_come_upon_another_part_of_a_creased_face_have_no_solids() ->
     assert refused.value.status == "self-intersection" and refused.value.stage == "surface"
     tip = [lo.Ply("P1", "tape", 0.1), lo.Ply("P2", "tape", 0.1)]
     assert len(lo.stack_plies(face, lo.Layup(tuple(tip), direction="reversed")).laminate_solid().Solids) == 6
-    for distances in (plies, lo.Layup((lo.Ply("P1", "tape", 6.0),), direction="reversed")):
-        with pytest.raises(lo.OffsetError, match="another part of the creased face") as refused:
-            lo.stack_plies(face, distances, solids=True)
+    thick = lo.Layup((lo.Ply("P1", "tape", 6.0),), direction="reversed")
+    for laid in (plies, thick):
+        with pytest.raises(
+            lo.OffsetError, match="another part of the creased face; lay fewer or thinner plies, or split"
+        ) as refused:
+            lo.stack_plies(face, laid, solids=True)
         where = refused.value.where
         assert refused.value.status == "self-intersection" and where is not None
         assert abs(where["x"]) < 20.1 and abs(where["y"]) < 20.1 and -1e-6 < where["z"] < 50.0 + 1e-6

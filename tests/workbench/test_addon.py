@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The add-on's files: what FreeCAD's Addon manager and its start need, and no GUI where it must not be."""
 
+import ast
 import os
 import pathlib
 import re
@@ -40,6 +41,30 @@ def test_workbench_metadata_fits_the_code():
     assert f"class {name}(" in (ADDON / "InitGui.py").read_text(encoding="utf-8")
     for icon in (metadata().find(NAMESPACE + "icon"), workbench.find(NAMESPACE + "icon")):
         assert (ADDON / icon.text).is_file(), icon.text
+
+
+#: Modules that FreeCAD itself brings along, and our own.
+BROUGHT_ALONG = {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy", "MeshPart", "laminate_offset"}
+
+
+def imported_names(path):
+    """The first parts of the names of modules that a file imports, or names to importlib.import_module."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield node.module.split(".")[0]
+        elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "import_module":
+            yield from (part.value.split(".")[0] for part in node.args if isinstance(part, ast.Constant))
+
+
+def test_what_is_imported_is_a_dependency_of_the_package():
+    used = {name for path in (ADDON / "laminate_offset").rglob("*.py") for name in imported_names(path)}
+    others = used - set(sys.stdlib_module_names) - BROUGHT_ALONG
+    depends = metadata().findall(f"{NAMESPACE}content/{NAMESPACE}workbench/{NAMESPACE}depend")
+    assert {node.text for node in depends} == others == {"numpy", "yaml", "h5py", "matplotlib", "tqdm"}
+    assert [node.text for node in depends if node.get("optional") == "false"] == ["numpy"]
+    assert all(node.get("type") == "python" for node in depends)
 
 
 ICONS = sorted(path.stem for path in (ADDON / "resources" / "icons").glob("*.svg"))

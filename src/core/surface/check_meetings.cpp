@@ -108,7 +108,7 @@ Result<bool> check_meetings(const SurfaceAnalysis &analysis, const InputFace &in
 }
 
 Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
-                                       double distance, double tolerance, Between between)
+                                       double distance, double tolerance, Between between, std::string_view remedy)
 {
     if (std::abs(distance) <= 2.0 * tolerance)
         return PartsApart{};
@@ -139,7 +139,7 @@ Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, c
             "{:.6g}, {:.6g}) on another part of the creased face; {}, or split the face between the two.",
             input.from_face(distance), between == Between::Plies ? "plies" : "offset",
             between == Between::Plies ? "run into those" : "meets that", there.uv.X(), there.uv.Y(), there.point.X(),
-            there.point.Y(), there.point.Z(), between == Between::Plies ? fewer_plies : smaller_distance),
+            there.point.Y(), there.point.Z(), remedy),
         here, std::nullopt};
 }
 

@@ -50,9 +50,10 @@ struct PartsApart
 //! \param edges what the parts do at their creases (crease_sides.h). Of parts that cross at a crease, and of parts at an end of
 //! one that does, that crossing is known and not refused.
 //! \param distance along S_u x S_v [mm].
+//! \param remedy that a refusal names.
 //! \return settled where no parts meet or the distance is below twice the tolerance, not settled where the search left it open.
 //! Refusal: SelfIntersection at stage Surface, at one of the two places, with the other in the message.
 Result<PartsApart> check_part_meetings(const std::vector<AnalysedPart> &parts, const std::vector<CreaseEdge> &edges,
-                                       double distance, double tolerance, Between between);
+                                       double distance, double tolerance, Between between, std::string_view remedy);
 
 } // namespace laminate_offset

@@ -6,6 +6,7 @@ import subprocess
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from models import hide_docks
 from PySide import QtGui
 from session import OUT, click, edit, faces, look_at_all, press, screenshot, start, type_into
 
@@ -31,7 +32,8 @@ doc.saveAs("plain.FCStd")
 
 def run() -> None:
     """Called by scenario_runner.py."""
-    start()
+    start(1280, 720)
+    hide_docks()
     result_of_the_command_line()
     plain_document()
     example_script()

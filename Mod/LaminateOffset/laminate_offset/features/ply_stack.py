@@ -311,7 +311,9 @@ def plies_of(stack: Any) -> List[Any]:
 def ply_reports(stack: Any) -> List[Dict[str, Any]]:
     """What the last good recompute told about every ply; [] when there was none."""
     reports = json.loads(stack.ReportJson) if stack.Status == "ok" else []
-    return [report for report in reports if "number" in report]  # while undo gives back a refusal, its report may come first
+    return [
+        report for report in reports if "number" in report
+    ]  # while undo gives back a refusal, its report may come first
 
 
 def result_of(stack: Any) -> Any:
