@@ -25,6 +25,7 @@ import pytest
 import sample_shapes
 from conftest import PROJECT
 from laminate_offset import cli, files
+from laminate_offset.commands import plies
 from laminate_offset.export import FORMATS
 from laminate_offset.export.calculix import names
 from laminate_offset.export.fibres import axes_of, fibre_directions
@@ -490,6 +491,23 @@ def test_wrong_rosettes_of_the_command_are_told(text: str, told: str, capfd: pyt
     printed = capfd.readouterr().err
     assert ended.value.code == 2 and told in printed, printed
     assert "could not convert" not in printed and "unpack" not in printed
+
+
+@pytest.mark.parametrize("error,code", [(KeyboardInterrupt(), 130), (FileError("the disk is full"), 2)])
+def test_what_ends_the_last_file_leaves_none(
+    error: BaseException, code: int, tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def ended(*_arguments: Any, **_options: Any) -> None:
+        assert len(list(tmp_path.glob(".laminate-offset-*/plies.step"))) == 1, "the first file is not yet made"
+        raise error
+
+    monkeypatch.setattr(plies, "export_calculix", ended)
+    source, table = tmp_path / "base.brep", tmp_path / "layup.csv"
+    files.write_shape(sample_shapes.bspline_face(), str(source), "base")
+    table.write_text("ply,material,thickness_mm,angle_deg\nP1,tape,0.2,0\n", encoding="utf-8")
+    arguments = ["plies", str(source), "--face", "1", "--layup", str(table), "-o", str(tmp_path / "plies.step")]
+    assert cli.main([*arguments, "--calculix", str(tmp_path / "section.inp")]) == code
+    assert "wrote" not in capfd.readouterr().err and sorted(os.listdir(tmp_path)) == ["base.brep", "layup.csv"]
 
 
 def test_a_rosette_that_no_file_needs_is_told(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
