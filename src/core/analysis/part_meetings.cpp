@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "part_meetings.h"
 
+#include "crease_frame.h"
 #include "meeting_search.h"
-#include "parameter_periods.h"
-#include "patch_tree.h"
 
 #include <Eigen/Dense>
 
@@ -11,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
-#include <memory>
 
 namespace laminate_offset
 {
@@ -23,6 +20,10 @@ constexpr int most_newton_starts = 2000;
 constexpr int newton_steps = 16;
 // Patches are judged beside a crease from which they lie no farther away than so many times their width.
 constexpr double nearest_widths = 8.0;
+// Parts that cross at a crease: beside it pairs may be narrower, and fewer are looked at, since along a crossing that is not
+// settled there all others stay open.
+constexpr double nearest_widths_of_crossing = 32.0;
+constexpr int most_pairs_of_crossing = 12000;
 // Parts end at one crease when their loops do within this part of their width.
 constexpr double same_line = 1e-6;
 // A meeting is followed to this part of the distance, in steps that take a fifth of what is left off at most. A step is
@@ -33,350 +34,16 @@ constexpr double shortest_step = longest_step / 4096.0;
 constexpr double most_bend = 0.25;
 constexpr int most_steps = 500;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 //! Places of two parts: (u, v, height) of one and of the other; the height is 0 on the near surface and 1 on the far one.
 using Places = Eigen::Matrix<double, 6, 1>;
-
-//! The range of a linear form over a box.
-struct Reach
-{
-    double low = infinity;
-    double high = -infinity;
-
-    static Reach of(const Eigen::Vector3d &axis, const Eigen::AlignedBox3d &box)
-    {
-        const double middle = axis.dot(box.center());
-        const double half = 0.5 * axis.cwiseAbs().dot(box.sizes());
-        return {middle - half, middle + half};
-    }
-    void extend(const Reach &other)
-    {
-        low = std::min(low, other.low);
-        high = std::max(high, other.high);
-    }
-    [[nodiscard]] double largest() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-Reach operator-(const Reach &a, const Reach &b) { return {a.low - b.high, a.high - b.low}; }
-
-Reach operator*(const Reach &a, const Reach &b)
-{
-    const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-    return {low, high};
-}
-
-double largest_length(const Eigen::AlignedBox3d &box)
-{
-    return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
-}
-
-//! The shifts of a parameter to look at.
-std::vector<double> shifts(double period)
-{
-    return period > 0.0 ? std::vector<double>{0.0, -period, period} : std::vector<double>{0.0};
-}
-
-//! A surface of one part.
-struct Sheet
-{
-    Sheet(const TensorSpline &own, const Eigen::Vector3d &from) : spline(&own), tree(own, from), origin(from) {}
-
-    [[nodiscard]] Eigen::Vector3d at(double u, double v) const { return spline->jets({u}, {v}, 0).front().s - origin; }
-
-    const TensorSpline *spline;
-    PatchTree tree;
-    Eigen::Vector3d origin;
-};
-
-//! A surface over a patch: its middle point and bounds.
-struct SheetBounds
-{
-    Eigen::Vector3d middle;
-    PatchBounds bounds;
-
-    [[nodiscard]] Reach along(const Eigen::Vector3d &axis, const ParameterBox &box) const
-    {
-        const double half = 0.5 * (box.umax - box.umin) * Reach::of(axis, bounds.du).largest() +
-                            0.5 * (box.vmax - box.vmin) * Reach::of(axis, bounds.dv).largest();
-        const double at = axis.dot(middle);
-        const Reach by_box = Reach::of(axis, bounds.point);
-        return {std::max(at - half, by_box.low), std::min(at + half, by_box.high)};
-    }
-};
-
-//! One part: its surfaces and what is known of their patches, numbered as in the search's tree. That one is a tree of the
-//! far surface of its own: bounds over narrow rectangles halve theirs into narrow patches.
-class Body
-{
-public:
-    Body(const MeetingPart &part, const PartMeetingQuery &query, const Eigen::Vector3d &origin)
-        : m_part(part), m_periods(periods_of(part.input, query.tolerance)),
-          m_base(*part.analysis.base.spline(), origin), m_tree(part.far, origin)
-    {
-        m_sheets.push_back(std::make_unique<Sheet>(part.far, origin));
-        if (part.near)
-            m_sheets.push_back(std::make_unique<Sheet>(*part.near, origin));
-    }
-
-    [[nodiscard]] const MeetingPart &part() const { return m_part; }
-    [[nodiscard]] const Periods &periods() const { return m_periods; }
-    [[nodiscard]] PatchTree &tree() { return m_tree; }
-    [[nodiscard]] bool is_slab() const { return m_sheets.size() > 1; }
-    [[nodiscard]] const ParameterBox &box(int index) { return tree().node(index).box; }
-
-    const std::vector<SheetBounds> &patch(int index)
-    {
-        if (m_patches.size() <= static_cast<std::size_t>(index))
-            m_patches.resize(static_cast<std::size_t>(2 * index + 16));
-        std::vector<SheetBounds> &known = m_patches[static_cast<std::size_t>(index)];
-        if (known.empty())
-        {
-            const ParameterBox box = tree().node(index).box;
-            const double u = 0.5 * (box.umin + box.umax), v = 0.5 * (box.vmin + box.vmax);
-            for (const auto &sheet : m_sheets)
-                known.push_back({sheet->at(u, v), sheet->tree.bounds_over(box)});
-        }
-        return known;
-    }
-
-    //! Is any part of the patch inside the loops?
-    bool touches(int index)
-    {
-        if (m_touches.size() <= static_cast<std::size_t>(index))
-            m_touches.resize(static_cast<std::size_t>(2 * index + 16), -1);
-        signed char &known = m_touches[static_cast<std::size_t>(index)];
-        if (known < 0)
-            known = m_part.analysis.region.may_touch(tree().node(index).box) ? 1 : 0;
-        return known == 1;
-    }
-
-    //! Bounds of every surface over a rectangle, whose parameters may go on across a seam.
-    std::vector<PatchBounds> over(const ParameterBox &box)
-    {
-        std::vector<PatchBounds> bounds;
-        for (const auto &sheet : m_sheets)
-            bounds.push_back(wrapped(sheet->tree, box));
-        return bounds;
-    }
-
-    PatchBounds base_over(const ParameterBox &box) { return wrapped(m_base.tree, box); }
-
-    //! The points of all surfaces at one place, whose parameters may go on across a seam.
-    [[nodiscard]] std::vector<Eigen::Vector3d> points(double u, double v) const
-    {
-        const ParameterBox &box = m_part.analysis.base.box();
-        const auto inside = [](double x, double low, double high, double period) {
-            while (period > 0.0 && x < low - 1e-9 * period)
-                x += period;
-            while (period > 0.0 && x > high + 1e-9 * period)
-                x -= period;
-            return std::clamp(x, low, high);
-        };
-        std::vector<Eigen::Vector3d> result;
-        for (const auto &sheet : m_sheets)
-            result.push_back(
-                sheet->at(inside(u, box.umin, box.umax, m_periods.u), inside(v, box.vmin, box.vmax, m_periods.v)));
-        return result;
-    }
-
-    //! Point and derivatives at a height, the last one with respect to the height.
-    [[nodiscard]] std::array<Eigen::Vector3d, 4> jet(double u, double v, double height) const
-    {
-        const SurfaceJet far = m_part.far.jets({u}, {v}, 1).front();
-        if (!is_slab())
-            return {far.s, far.u, far.v, Eigen::Vector3d::Zero()};
-        const SurfaceJet near = m_part.near->jets({u}, {v}, 1).front();
-        return {near.s + height * (far.s - near.s), near.u + height * (far.u - near.u),
-                near.v + height * (far.v - near.v), far.s - near.s};
-    }
-
-    //! The same at a part of the far surface's distance, with respect to which the last one is.
-    [[nodiscard]] std::array<Eigen::Vector3d, 4> jet_at(double u, double v, double part) const
-    {
-        const SurfaceJet far = m_part.far.jets({u}, {v}, 1).front(), own = base(u, v);
-        return {own.s + part * (far.s - own.s), own.u + part * (far.u - own.u), own.v + part * (far.v - own.v),
-                far.s - own.s};
-    }
-
-    //! The same where the part does not change.
-    [[nodiscard]] std::array<Eigen::Vector3d, 4> still_at(double u, double v, double part) const
-    {
-        auto jet = jet_at(u, v, part);
-        jet[3].setZero();
-        return jet;
-    }
-
-    [[nodiscard]] SurfaceJet base(double u, double v) const { return m_part.analysis.base.jets({u}, {v}, 1).front(); }
-
-private:
-    [[nodiscard]] PatchBounds wrapped(PatchTree &tree, const ParameterBox &box) const
-    {
-        PatchBounds bounds;
-        for (const double u : shifts(m_periods.u))
-            for (const double v : shifts(m_periods.v))
-                bounds.extend(tree.bounds_over(shifted(box, u, v)));
-        return bounds;
-    }
-
-    const MeetingPart &m_part;
-    Periods m_periods;
-    Sheet m_base;
-    PatchTree m_tree;
-    std::vector<std::unique_ptr<Sheet>> m_sheets; //!< the far one first
-    std::vector<std::vector<SheetBounds>> m_patches;
-    std::vector<signed char> m_touches;
-};
-
-//! Two patches beside a crease, in coordinates in which the part with the lower parameters comes first.
-struct CreaseNeighbours
-{
-    Body &lower;
-    Body &upper;
-    ParameterBox before; //!< the patch of the lower part, continued to the crease and along the other one
-    ParameterBox after;  //!< the same of the upper part, in the upper part's parameters
-    bool constant_u = false;
-};
-
-//! How the surfaces' derivatives run across and along a crease, as rows that take the middle ones to unit vectors.
-class CreaseFrame
-{
-public:
-    explicit CreaseFrame(const CreaseNeighbours &pair)
-        : m_constant_u(pair.constant_u), m_before(pair.lower.over(pair.before)), m_after(pair.upper.over(pair.after))
-    {
-    }
-
-    //! False: the bounds are too wide to tell anything.
-    bool make()
-    {
-        Eigen::Vector3d across = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
-        for (const auto *side : {&m_before, &m_after})
-            for (const PatchBounds &bounds : *side)
-            {
-                if (bounds.du.isEmpty() || bounds.dv.isEmpty())
-                    return false;
-                across += this->across(bounds).center().normalized();
-                along += this->along(bounds).center().normalized();
-            }
-        row_across = across - across.dot(along) / std::max(along.squaredNorm(), 1e-300) * along;
-        row_along = along - along.dot(across) / std::max(across.squaredNorm(), 1e-300) * across;
-        for (const auto *side : {&m_before, &m_after})
-            for (const PatchBounds &bounds : *side)
-            {
-                least_across = std::min(least_across, Reach::of(row_across, this->across(bounds)).low);
-                least_along = std::min(least_along, Reach::of(row_along, this->along(bounds)).low);
-                skew_across = std::max(skew_across, Reach::of(row_across, this->along(bounds)).largest());
-                skew_along = std::max(skew_along, Reach::of(row_along, this->across(bounds)).largest());
-            }
-        return least_across > 0.0 && least_along > 0.0 && least_across * least_along > skew_across * skew_along;
-    }
-
-    //! The range of a row times the step from the lower part's surfaces to the upper part's, anywhere on the crease.
-    [[nodiscard]] Reach step(const Eigen::Vector3d &row, const std::vector<Eigen::Vector3d> &before,
-                             const std::vector<Eigen::Vector3d> &after, double half_length) const
-    {
-        Reach step;
-        for (std::size_t i = 0; i < before.size(); ++i)
-            for (std::size_t j = 0; j < after.size(); ++j)
-            {
-                const double here = row.dot(after[j] - before[i]);
-                const Reach slope_after = Reach::of(row, along(m_after[j])),
-                            slope_before = Reach::of(row, along(m_before[i]));
-                const double change = half_length * std::max(std::abs(slope_after.high - slope_before.low),
-                                                             std::abs(slope_after.low - slope_before.high));
-                step.extend({here - change, here + change});
-            }
-        return step;
-    }
-
-    //! Do the slopes across the crease, at places equally far along it, differ all over the two patches in one sense? Then
-    //! the surfaces come upon each other once at most for each place along.
-    [[nodiscard]] bool slopes_apart() const
-    {
-        if (m_before.size() != 1 || m_after.size() != 1)
-            return false;
-        const Reach before = slope(m_before.front()), after = slope(m_after.front());
-        return before.high < after.low || after.high < before.low;
-    }
-
-    Eigen::Vector3d row_across;
-    Eigen::Vector3d row_along;
-    double least_across = infinity;
-    double least_along = infinity;
-    double skew_across = 0.0;
-    double skew_along = 0.0;
-
-    [[nodiscard]] const Eigen::AlignedBox3d &across(const PatchBounds &bounds) const
-    {
-        return m_constant_u ? bounds.du : bounds.dv;
-    }
-    [[nodiscard]] const Eigen::AlignedBox3d &along(const PatchBounds &bounds) const
-    {
-        return m_constant_u ? bounds.dv : bounds.du;
-    }
-
-private:
-    //! Height over way across, where the way along stays the same.
-    [[nodiscard]] Reach slope(const PatchBounds &bounds) const
-    {
-        const Eigen::Vector3d height = row_across.cross(row_along).normalized();
-        const auto of = [](const Eigen::Vector3d &row, const Eigen::AlignedBox3d &box) { return Reach::of(row, box); };
-        const Eigen::AlignedBox3d &a = across(bounds), &l = along(bounds);
-        const Reach rise = of(height, a) * of(row_along, l) - of(height, l) * of(row_along, a);
-        const Reach way = of(row_across, a) * of(row_along, l) - of(row_across, l) * of(row_along, a);
-        if (way.low <= 0.0)
-            return {-infinity, infinity};
-        return rise * Reach{1.0 / way.high, 1.0 / way.low};
-    }
-
-    bool m_constant_u;
-    std::vector<PatchBounds> m_before;
-    std::vector<PatchBounds> m_after;
-};
-
-//! Of places of two patches beside a crease that come to one point, no more than this lies between the base points.
-double farthest_base_points(const CreaseNeighbours &pair)
-{
-    CreaseFrame frame(pair);
-    if (!frame.make())
-        return infinity;
-    const bool of_u = pair.constant_u;
-    const double along =
-        of_u ? 0.5 * (pair.before.vmin + pair.before.vmax) : 0.5 * (pair.before.umin + pair.before.umax);
-    const double half =
-        of_u ? 0.5 * (pair.before.vmax - pair.before.vmin) : 0.5 * (pair.before.umax - pair.before.umin);
-    const double after_along =
-        of_u ? 0.5 * (pair.after.vmin + pair.after.vmax) : 0.5 * (pair.after.umin + pair.after.umax);
-    const auto before = of_u ? pair.lower.points(pair.before.umax, along) : pair.lower.points(along, pair.before.vmax);
-    const auto after =
-        of_u ? pair.upper.points(pair.after.umin, after_along) : pair.upper.points(after_along, pair.after.vmin);
-    const double opening = frame.step(frame.row_across, before, after, half).low;
-    const double sideways = frame.step(frame.row_along, before, after, half).largest();
-    const double room = frame.least_across - frame.skew_across * frame.skew_along / frame.least_along;
-    const double x = (frame.skew_across * sideways / frame.least_along - opening) / room;
-    if (x < 0.0)
-        return 0.0;
-    const double y = (x * frame.skew_along + sideways) / frame.least_along;
-    PatchBounds base = pair.lower.base_over(pair.before);
-    base.extend(pair.upper.base_over(pair.after));
-    return x * largest_length(frame.across(base)) + y * largest_length(frame.along(base));
-}
-
-//! Do two patches beside a crease at which the surfaces cross come upon each other along one line at most, which is the
-//! crossing at the crease?
-bool cross_once(const CreaseNeighbours &pair)
-{
-    CreaseFrame frame(pair);
-    return frame.make() && frame.slopes_apart();
-}
 
 //! Two parts, by their numbers, and what they have in common.
 struct Neighbourhood
 {
     std::size_t first = 0;
     std::size_t second = 0;
-    //! Shifts of the second part's parameters that continue those of the first one across an edge of both.
+    //! Shifts of the second part's parameters that may continue those of the first one: across an edge of both, and by
+    //! periods.
     std::vector<gp_Vec2d> shifts;
     bool crosses = false; //!< at such an edge, or at an end of one, they are known to cross
 };
@@ -385,19 +52,11 @@ struct Neighbourhood
 class PairOfParts
 {
 public:
-    PairOfParts(Body &one, Body &other, const PartMeetingQuery &query, const Neighbourhood &around)
+    PairOfParts(MeetingBody &one, MeetingBody &other, const PartMeetingQuery &query, const Neighbourhood &around)
         : m_one(one), m_other(other), m_query(query), m_shifts(around.shifts), m_crosses(around.crosses),
           m_least_apart(least_apart(query.distance, query.tolerance)), m_resolution(resolution_share * query.tolerance),
           m_first(around.first), m_second(around.second)
     {
-        const auto known = [this](const gp_Vec2d &shift) {
-            return std::any_of(m_shifts.begin(), m_shifts.end(),
-                               [&](const gp_Vec2d &one_known) { return (shift - one_known).Magnitude() < same_line; });
-        };
-        for (const double u : shifts(one.periods().u))
-            for (const double v : shifts(one.periods().v))
-                if (!known({u, v}))
-                    m_shifts.emplace_back(u, v);
         const ParameterBox &a = one.part().input.box, &b = other.part().input.box;
         m_low << a.umin, a.vmin, 0.0, b.umin, b.vmin, 0.0;
         m_high << a.umax, a.vmax, 1.0, b.umax, b.vmax, 1.0;
@@ -410,7 +69,7 @@ public:
         for (; !open.empty() && !m_meeting; open.pop_front())
         {
             const auto [a, b] = open.front();
-            if (++pairs > most_pairs)
+            if (++pairs > (m_crosses ? most_pairs_of_crossing : most_pairs))
             {
                 leave_open(a, b);
                 break;
@@ -451,7 +110,7 @@ private:
                              {0.5 * (other.umin + other.umax), 0.5 * (other.vmin + other.vmax)}};
     }
 
-    [[nodiscard]] static double size(Body &body, int index)
+    [[nodiscard]] static double size(MeetingBody &body, int index)
     {
         return body.tree().node(index).bounds.point.diagonal().norm();
     }
@@ -514,17 +173,9 @@ private:
         const auto meet = [&](double end, double start) { return std::abs(end - start) < near; };
         const bool one_first = constant_u ? meet(one.umax, other.umin) : meet(one.vmax, other.vmin);
         const bool other_first = constant_u ? meet(other.umax, one.umin) : meet(other.vmax, one.vmin);
-        if (!one_first && !other_first)
+        if ((!one_first && !other_first) || !side_by_side(a, shifted(b, shift.X(), shift.Y()), constant_u))
             return false;
-        const ParameterBox there = shifted(b, shift.X(), shift.Y()), both = hull(a, there);
-        const double widest_u = std::max(a.umax - a.umin, b.umax - b.umin);
-        const double widest_v = std::max(a.vmax - a.vmin, b.vmax - b.vmin);
-        const double length = constant_u ? both.vmax - both.vmin : both.umax - both.umin;
-        const double width = constant_u ? both.umax - both.umin : both.vmax - both.vmin;
-        if (length > 3.0 * (constant_u ? widest_v : widest_u) ||
-            width > nearest_widths * (constant_u ? widest_u : widest_v))
-            return false; // far from each other along the crease, or from the crease
-        ParameterBox before = both, after = both;
+        ParameterBox before = hull(a, shifted(b, shift.X(), shift.Y())), after = before;
         if (constant_u)
             before.umax = after.umin = one_first ? one.umax : one.umin;
         else
@@ -541,8 +192,20 @@ private:
         return farthest_base_points(pair) < m_least_apart || (m_crosses && cross_once(pair));
     }
 
+    //! False: the patches are far from each other along a crease between them, or from the crease.
+    [[nodiscard]] bool side_by_side(const ParameterBox &a, const ParameterBox &b, bool constant_u) const
+    {
+        constexpr double farthest_along = 3.0;
+        const double widths = m_crosses ? nearest_widths_of_crossing : nearest_widths;
+        const ParameterBox both = hull(a, b);
+        const double widest_u = std::max(a.umax - a.umin, b.umax - b.umin);
+        const double widest_v = std::max(a.vmax - a.vmin, b.vmax - b.vmin);
+        return both.umax - both.umin <= (constant_u ? widths : farthest_along) * widest_u &&
+               both.vmax - both.vmin <= (constant_u ? farthest_along : widths) * widest_v;
+    }
+
     //! Has the part a surface along the whole rectangle?
-    [[nodiscard]] static bool covered(const Body &body, const ParameterBox &box, bool constant_u)
+    [[nodiscard]] static bool covered(const MeetingBody &body, const ParameterBox &box, bool constant_u)
     {
         const ParameterBox &own = body.part().analysis.base.box();
         const double slack = same_line * (constant_u ? own.vmax - own.vmin : own.umax - own.umin);
@@ -672,15 +335,15 @@ private:
                         (m_other.base(from[3], from[4]).s - m_other.base(to[3], to[4]).s).norm());
     }
 
-    [[nodiscard]] static bool on_border(const Body &body, double u, double v)
+    [[nodiscard]] static bool on_border(const MeetingBody &body, double u, double v)
     {
         const ParameterBox &box = body.part().input.box;
         const double du = same_line * (box.umax - box.umin), dv = same_line * (box.vmax - box.vmin);
         return u < box.umin + du || u > box.umax - du || v < box.vmin + dv || v > box.vmax - dv;
     }
 
-    Body &m_one;
-    Body &m_other;
+    MeetingBody &m_one;
+    MeetingBody &m_other;
     const PartMeetingQuery &m_query;
     std::vector<gp_Vec2d> m_shifts;
     bool m_crosses;
@@ -693,13 +356,20 @@ private:
     std::optional<PartMeeting> m_meeting;
 };
 
-Neighbourhood neighbourhood(const PartMeetingQuery &query, std::size_t one, std::size_t other)
+Neighbourhood neighbourhood(const PartMeetingQuery &query, std::size_t one, std::size_t other, const Periods &periods)
 {
-    Neighbourhood around{one, other, {}, false};
+    Neighbourhood around{one, other, {}, query.cross && query.cross(one, other)};
+    const auto add = [&](const gp_Vec2d &shift) {
+        if (std::none_of(around.shifts.begin(), around.shifts.end(),
+                         [&](const gp_Vec2d &known) { return (shift - known).Magnitude() < same_line; }))
+            around.shifts.push_back(shift);
+    };
     for (const CreaseEdge &edge : query.edges)
         if (edge.first == one && edge.second == other)
-            around.shifts.push_back(edge.shift);
-    around.crosses = query.cross && query.cross(one, other);
+            add(edge.shift);
+    for (const double u : period_shifts(periods.u))
+        for (const double v : period_shifts(periods.v))
+            add({u, v});
     return around;
 }
 
@@ -717,13 +387,13 @@ PartMeetingSearch find_part_meeting(const PartMeetingQuery &query)
         return result;
     }
     const Eigen::Vector4d &pole = query.parts.front().far.poles.front();
-    std::deque<Body> bodies;
+    std::deque<MeetingBody> bodies;
     for (const MeetingPart &part : query.parts)
-        bodies.emplace_back(part, query, pole.head<3>() / pole.w());
+        bodies.emplace_back(part, query.tolerance, pole.head<3>() / pole.w());
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = i + 1; j < bodies.size(); ++j)
         {
-            PairOfParts(bodies[i], bodies[j], query, neighbourhood(query, i, j)).run(result);
+            PairOfParts(bodies[i], bodies[j], query, neighbourhood(query, i, j, bodies[i].periods())).run(result);
             if (result.meeting)
                 return result;
         }

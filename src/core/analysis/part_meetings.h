@@ -22,7 +22,7 @@
 #pragma once
 
 #include "crease_sides.h"
-#include "surface_analysis.h"
+#include "meeting_body.h"
 
 #include <functional>
 #include <optional>
@@ -30,15 +30,6 @@
 
 namespace laminate_offset
 {
-
-//! One part with its offset, in the base's parameters over the base's box.
-struct MeetingPart
-{
-    const InputFace &input;
-    const SurfaceAnalysis &analysis;
-    TensorSpline far;
-    std::optional<TensorSpline> near; //!< where the slab between the two counts
-};
 
 struct PartMeetingQuery
 {
