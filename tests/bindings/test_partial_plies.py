@@ -37,6 +37,30 @@ def height(face: "Part.Face", above: "Part.Face", u: float, v: float) -> float:
     return float((above.Surface.value(u, v) - face.Surface.value(u, v)).dot(face.normalAt(u, v)))
 
 
+@pytest.mark.parametrize("stagger", [None, [3.0]])
+def test_a_creased_face_is_refused_for_its_crease_and_the_remedy_works(stagger: object) -> None:
+    roof = sample_shapes.roof_face(100.0, 200.0)
+    patch = Part.Wire([Part.makeCircle(20.0, FreeCAD.Vector(100, 60, -60), FreeCAD.Vector(0, 1, 1))])
+    arguments = {"boundaries": {"patch": patch}, "drop_off": RAMP, "stagger": stagger}
+    with pytest.raises(
+        lo.OffsetError, match="split the face along the crease .*Slice apart.* each of its parts"
+    ) as refused:
+        lo.stack_plies(roof, layup("", "patch", ""), **arguments)
+    assert (refused.value.status, refused.value.stage) == ("not-supported", "analysis")
+    assert refused.value.where["y"] == pytest.approx(0.0, abs=1e-6)
+    # what Slice apart does, with a plane or with a line through the ridge
+    for tool in (
+        Part.makePlane(400.0, 400.0, FreeCAD.Vector(-100, 0, -200), FreeCAD.Vector(0, 1, 0), FreeCAD.Vector(0, 0, 1)),
+        Part.makeLine(FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(200, 0, 0)),
+    ):
+        pieces = roof.generalFuse([tool])[1][0]
+        assert len(pieces) == 2
+        (side,) = (piece for piece in pieces if piece.CenterOfMass.y > 0)
+        assert [ply.face.isValid() for ply in lo.stack_plies(side, layup("", "patch", ""), **arguments).plies] == [
+            True
+        ] * 3
+
+
 def test_the_ply_above_comes_down_beside_the_patch() -> None:
     face = plate()
     stack = lo.stack_plies(face, layup("", "patch", ""), boundaries={"patch": disc(0, 0, 60)}, drop_off=RAMP)
