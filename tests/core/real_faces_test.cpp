@@ -46,7 +46,9 @@ bool expect_bounds_hold(const TopoDS_Face &face, const OffsetReport &proven, con
         EXPECT_LE(*proven.certified_error, tolerance);
         EXPECT_LE(seen.surface_error, *proven.certified_error + oracle_rounding);
         if (keeps_parameters(face))
+        {
             EXPECT_LE(seen.parametric_error, *proven.certified_error + oracle_rounding) << "same-parameter offset";
+        }
     }
     if (proven.edge_error)
     {

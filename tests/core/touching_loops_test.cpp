@@ -202,7 +202,9 @@ bool right_or_refused(const TopoDS_Face &base, const gp_Pnt &touch)
         EXPECT_NE(result.failure().message.find("touch"), std::string::npos) << why(result);
         EXPECT_TRUE(result.failure().where.has_value());
         if (result.failure().where)
+        {
             EXPECT_LT(result.failure().where->point.Distance(touch), 1e-6);
+        }
     }
     return false;
 }

@@ -499,7 +499,7 @@ private:
         const KnotVector pieces = between_breaks(degree);
         const bool may_win =
             m_best && pieces.pole_count() < std::min(small_fit, m_best->knots.pole_count()); // longer ones seldom do
-        return (may_win && search(degree, m_best->knots.pole_count() - 1, &pieces)) || reached;
+        return (may_win && search(degree, pieces.pole_count(), &pieces)) || reached;
     }
 
     //! A polynomial between any two breaks, joined as smoothly as the data is.
