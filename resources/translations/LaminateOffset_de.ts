@@ -332,6 +332,10 @@
         <translation>Lagenaufbau</translation>
     </message>
     <message>
+        <source>FreeCAD could not recompute the object: {error}</source>
+        <translation>FreeCAD konnte das Objekt nicht neu berechnen: {error}</translation>
+    </message>
+    <message>
         <source>Press Preview to see the result, or OK to make it.</source>
         <translation>Vorschau zeigt das Ergebnis, OK übernimmt es.</translation>
     </message>

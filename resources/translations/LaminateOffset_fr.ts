@@ -332,6 +332,10 @@
         <translation>Drapage</translation>
     </message>
     <message>
+        <source>FreeCAD could not recompute the object: {error}</source>
+        <translation>FreeCAD n'a pas pu recalculer l'objet : {error}</translation>
+    </message>
+    <message>
         <source>Press Preview to see the result, or OK to make it.</source>
         <translation>Aperçu montre le résultat, OK le crée.</translation>
     </message>

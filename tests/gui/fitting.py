@@ -20,6 +20,7 @@ def fits(picture: str) -> None:
     right = area.viewport().mapToGlobal(area.viewport().rect().topRight()).x()
     hidden = area.widget().height() - area.viewport().height()
     assert hidden <= area.verticalScrollBar().maximum(), f"{hidden} pixels of the panel are out of reach"
+    assert area.horizontalScrollBar().value() == 0, "the panel is scrolled sideways"
     for child in form.findChildren(QtGui.QWidget):
         if child.isVisible() and not isinstance(child.parentWidget(), (QtGui.QAbstractScrollArea, QtGui.QHeaderView)):
             assert child.mapToGlobal(child.rect().topRight()).x() <= right, f"{child.objectName()} is cut off"

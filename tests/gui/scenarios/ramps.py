@@ -32,6 +32,7 @@ def run() -> None:
     sides(stack)
     ramps(stack)
     warning(stack)
+    broken_expression(stack)
     press(BUTTON.Ok)
     assert not Gui.Control.activeDialog()
     shown_again(stack)
@@ -85,6 +86,24 @@ def warning(stack) -> None:
     assert "P1 and P2 end along one line" in result_text() and not result_is_red()
     assert_result_in_sight()
     fits("warning")
+
+
+def broken_expression(stack) -> None:
+    """FreeCAD does not recompute what has an expression without a value: the panel tells it, and OK does not close."""
+    sheet = stack.Document.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "12")
+    sheet.setAlias("A1", "ramp")
+    sheet.recompute()
+    stack.setExpression("RampLength", "<<Sheet>>.ramp * 1 mm")
+    sheet.clear("A1")
+    for tried in (lambda: click("preview"), lambda: press(BUTTON.Ok)):
+        tried()
+        assert result_is_red() and "'ramp' not found" in result_text() and Gui.Control.activeDialog(), result_text()
+        assert_result_in_sight()
+    stack.setExpression("RampLength", None)
+    stack.Document.removeObject("Sheet")
+    click("preview")
+    assert stack.RampLength.Value == 12 and result_is_orange(), result_text()
 
 
 def shown_again(stack) -> None:

@@ -145,6 +145,12 @@ def has_result(obj: Any) -> bool:
     return shape is not None and not shape.isNull()
 
 
+def is_good(obj: Any) -> bool:
+    """Whether the last recompute made a result. One that FreeCAD ends itself, for an expression without a value, leaves the
+    status of the one before."""
+    return obj.Status == "ok" and "Invalid" not in obj.State
+
+
 def status_of(error: Exception) -> str:
     """The refusal's name; other errors are wrong layups, bad options or the kernel's."""
     if isinstance(error, lo.LayupError):

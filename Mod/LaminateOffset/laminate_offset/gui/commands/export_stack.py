@@ -8,6 +8,7 @@ import FreeCAD as App
 
 from ...export import export_calculix, export_composite_cae, export_ply_book
 from ...features import progress
+from ...features.outcome import is_good
 from ...features.ply_stack import (
     PlyFeature,
     PlyStackFeature,
@@ -41,7 +42,7 @@ class ExportStackCommand(Command):
     def fits(self) -> bool:
         """A good stack, or a ply of one, is selected."""
         stack = self._selected()
-        return stack is not None and stack.Status == "ok"
+        return stack is not None and is_good(stack)
 
     def Activated(self) -> None:
         """Asks for a file. The document is only read."""

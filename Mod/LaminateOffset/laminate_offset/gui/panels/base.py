@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ...features.base_face import describe, links_of, rooted_links
+from ...features.outcome import is_good
 from ..resources import form
 from ..selection import FacePicker, Link
 from ..texts import translate
@@ -42,7 +43,10 @@ class LineInSight(QtCore.QObject):
         if not self._areas:
             self._areas = self._find_areas()
         for area in self._areas:
+            sideways = area.horizontalScrollBar()
+            before = sideways.value()
             area.ensureWidgetVisible(self._line, 0, 0)
+            sideways.setValue(before)
 
     def _find_areas(self) -> List[Any]:
         # Asked from above: a parent's wrapper takes the line's along when it goes.
@@ -110,7 +114,7 @@ class FeaturePanel:
         self._feature.touch()
         self._doc.recompute([self._feature])
         self.show_result()
-        return self._feature.Status == "ok"
+        return is_good(self._feature)
 
     def missing(self) -> str:
         """What the user has to do before anything can be computed; "" when all is there."""
@@ -121,8 +125,13 @@ class FeaturePanel:
         self.tell(translate("LaminateOffset", "Press Preview to see the result, or OK to make it."))
 
     def show_result(self) -> None:
-        """Shows what the last recompute told."""
-        self.tell(self._feature.Message, self._feature.Status != "ok", bool(self._feature.Warnings))
+        """Shows what the last recompute told; where an expression ended it before it began, FreeCAD's own words."""
+        good = is_good(self._feature)
+        if self._feature.Status == "ok" and not good:
+            text = translate("LaminateOffset", "FreeCAD could not recompute the object: {error}")
+            self.tell(text.format(error=self._feature.getStatusString()), refused=True)
+        else:
+            self.tell(self._feature.Message, not good, bool(self._feature.Warnings))
 
     def tell(self, text: str, refused: bool = False, warned: bool = False) -> None:
         """The panel's last line; a refusal is red, a warning orange, and both are scrolled to where they are seen."""
