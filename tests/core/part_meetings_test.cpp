@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 using namespace laminate_offset;
@@ -286,6 +287,77 @@ TEST(PartsOfCreasedFaces, PartsThatCrossAtTheirCreaseAreComparedElsewhere)
         }
         for (const double distance : {2.0, 8.0})
             EXPECT_TRUE(offset(face, -distance * side, tolerance).ok());
+    }
+}
+
+//! Bilinear pieces over a grid of lines in x and y, with the same heights in both directions.
+TopoDS_Face bilinear_pieces(const std::vector<double> &lines,
+                            const std::function<double(std::size_t, std::size_t)> &height)
+{
+    const int count = static_cast<int>(lines.size());
+    TColgp_Array2OfPnt net(1, count, 1, count);
+    TColStd_Array1OfReal knots(1, count);
+    TColStd_Array1OfInteger multiplicities(1, count);
+    for (int i = 1; i <= count; ++i)
+    {
+        const auto k = static_cast<std::size_t>(i - 1);
+        knots(i) = (lines[k] - lines.front()) / (lines.back() - lines.front());
+        multiplicities(i) = i == 1 || i == count ? 2 : 1;
+        for (std::size_t j = 0; j < lines.size(); ++j)
+            net(i, static_cast<int>(j) + 1) = gp_Pnt(lines[k], lines[j], height(k, j));
+    }
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(net, knots, knots, multiplicities, multiplicities, 1, 1),
+                                   1e-7);
+}
+
+TEST(PartsOfCreasedFaces, PartsThatMeetInACornerOfCrossingCreasesAreNotRefused)
+{
+    std::vector<TopoDS_Face> faces;
+    for (const double slope : {1.0, 0.2, 0.1}) // valleys that cross
+        faces.push_back(bilinear_pieces({-100, 0, 100}, [slope](std::size_t i, std::size_t j) {
+            return 60.0 * ((i == 1 ? 0.0 : 1.0) + (j == 1 ? 0.0 : slope));
+        }));
+    for (const double deep : {10.0, 40.0, 80.0}) // tubs
+        faces.push_back(bilinear_pieces({0, 40, 160, 200}, [deep](std::size_t i, std::size_t j) {
+            return i % 3 != 0 && j % 3 != 0 ? -deep : 0.0;
+        }));
+    for (std::size_t k = 0; k < faces.size(); ++k)
+        for (const double distance : {0.01, 1.0, 5.0, -1.0, -5.0})
+        {
+            SCOPED_TRACE(testing::Message() << "face " << k << " at " << distance);
+            const auto made = offset(faces[k], distance, tolerance);
+            ASSERT_TRUE(made.ok()) << why(made);
+            EXPECT_EQ(made.value().report.faces, k < 3 ? 4 : 9);
+            ASSERT_TRUE(made.value().report.crease.has_value());
+            EXPECT_EQ(*made.value().report.crease, distance > 0.0 ? CreaseKind::Overlap : CreaseKind::Gap);
+        }
+}
+
+//! Two skins that leave one edge in the same direction, farther and farther apart from one end of it to the other.
+TEST(PartsOfCreasedFaces, ATwistedCuspIsNotRefused)
+{
+    const double x[] = {50, 25, 0, 25, 50}, height[] = {2, 0, 0, 0, 4};
+    TColgp_Array2OfPnt net(1, 5, 1, 3);
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 3; ++j)
+            net(i + 1, j + 1) = gp_Pnt(x[i] + 3.0 * j, 50.0 * j, height[i] * (1.0 + 0.3 * j));
+    TColStd_Array1OfReal us(1, 3), vs(1, 2);
+    TColStd_Array1OfInteger mu(1, 3), mv(1, 2);
+    for (int i = 1; i <= 3; ++i)
+    {
+        us(i) = 0.5 * (i - 1);
+        mu(i) = i == 2 ? 2 : 3;
+    }
+    vs(1) = 0.0;
+    vs(2) = 1.0;
+    mv(1) = mv(2) = 3;
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(net, us, vs, mu, mv, 2, 2), 1e-7);
+    for (const double distance : {0.1, 0.5, -0.1, -0.5})
+    {
+        SCOPED_TRACE(distance);
+        const auto made = offset(face, distance, tolerance);
+        ASSERT_TRUE(made.ok()) << why(made);
+        EXPECT_EQ(made.value().report.faces, 2);
     }
 }
 

@@ -32,7 +32,9 @@ constexpr double least_part = 1e-3;
 constexpr double longest_step = 0.2;
 constexpr double shortest_step = longest_step / 4096.0;
 constexpr double most_bend = 0.25;
-constexpr int most_steps = 500;
+constexpr int most_steps = 120;
+// So many meetings of two parts are followed.
+constexpr int most_followed = 100;
 
 //! Places of two parts: (u, v, height) of one and of the other; the height is 0 on the near surface and 1 on the far one.
 using Places = Eigen::Matrix<double, 6, 1>;
@@ -218,7 +220,7 @@ private:
     {
         const PatchNode &one = m_one.tree().node(a), &other = m_other.tree().node(b);
         if ((one.halvings + other.halvings) % newton_interval != 0 || m_newton_starts >= most_newton_starts ||
-            size(m_one, a) + size(m_other, b) > 4.0 * std::abs(m_query.distance))
+            m_followed >= most_followed || size(m_one, a) + size(m_other, b) > 4.0 * std::abs(m_query.distance))
             return false;
         ++m_newton_starts;
         Places start;
@@ -288,8 +290,9 @@ private:
 
     //! Does a meeting come from where the parts cross at a crease? With the distance that goes to zero, and its places with
     //! it run together; any other meeting ends on the way. This excuses a meeting, but settles nothing.
-    [[nodiscard]] bool comes_from_crease(Places place) const
+    [[nodiscard]] bool comes_from_crease(Places place)
     {
+        ++m_followed;
         double part = 1.0, step = longest_step;
         for (int steps = 0; part > least_part && steps < most_steps; ++steps)
         {
@@ -312,12 +315,7 @@ private:
         const auto one = m_one.jet_at(place[0], place[1], part), other = m_other.jet_at(place[3], place[4], part);
         Eigen::Matrix<double, 3, 4> jacobian;
         jacobian << one[1], one[2], -other[1], -other[2];
-        const Eigen::Vector4d widths = (m_high - m_low)(std::array{0, 1, 3, 4});
-        jacobian *= widths.asDiagonal();
-        const Eigen::Vector4d move =
-            widths.cwiseProduct(jacobian.completeOrthogonalDecomposition().solve((next - part) * (other[3] - one[3])));
-        Places start = place;
-        start(std::array{0, 1, 3, 4}) += move;
+        const Places start = moved(place, jacobian, (next - part) * (other[3] - one[3]));
         const auto on = [this, next](const Places &p) {
             return std::pair{m_one.still_at(p[0], p[1], next), m_other.still_at(p[3], p[4], next)};
         };
@@ -326,6 +324,37 @@ private:
             farthest_moved(start.cwiseMax(m_low).cwiseMin(m_high), *found) > most_bend * farthest_moved(place, *found))
             return std::nullopt;
         return found;
+    }
+
+    //! Where the linear equations for a change of the four parameters lead, the shortest way inside the parts' boxes: what comes
+    //! upon an end of a parameter goes on along that border.
+    [[nodiscard]] Places moved(const Places &place, Eigen::Matrix<double, 3, 4> jacobian, Eigen::Vector3d change) const
+    {
+        const std::array parameters{0, 1, 3, 4};
+        const Eigen::Vector4d here = place(parameters), low = m_low(parameters), high = m_high(parameters);
+        const Eigen::Vector4d widths = high - low;
+        jacobian *= widths.asDiagonal();
+        Eigen::Vector4d move = Eigen::Vector4d::Zero();
+        std::array<bool, 4> at_end{};
+        for (bool changed = true; changed;)
+        {
+            changed = false;
+            const Eigen::Vector4d free = jacobian.completeOrthogonalDecomposition().solve(change);
+            for (int k = 0; k < 4; ++k)
+            {
+                if (at_end[static_cast<std::size_t>(k)])
+                    continue;
+                move[k] = std::clamp(widths[k] * free[k], low[k] - here[k], high[k] - here[k]);
+                if (move[k] == widths[k] * free[k])
+                    continue;
+                at_end[static_cast<std::size_t>(k)] = changed = true;
+                change -= jacobian.col(k) * (move[k] / widths[k]);
+                jacobian.col(k).setZero();
+            }
+        }
+        Places end = place;
+        end(parameters) += move;
+        return end;
     }
 
     //! Of the two base points.
@@ -351,6 +380,7 @@ private:
     double m_least_apart;
     double m_resolution;
     int m_newton_starts = 0;
+    int m_followed = 0;
     std::size_t m_first, m_second; //!< the parts' numbers
     std::optional<PartMeeting> m_open;
     std::optional<PartMeeting> m_meeting;

@@ -17,8 +17,9 @@
 //! What parts do at their common creases themselves is judged by crease_sides.h. Where they cross there, that crossing is no
 //! news, but another one is. Beside such a crease a pair is settled, too, when the slopes of both sides differ in one
 //! sense all over, from the crease on: then the surfaces come upon each other along one line at most, which is the crossing at the
-//! crease. A meeting that has been computed is followed to smaller distances. That of the crease shrinks into it; any other
-//! one ends on the way and is reported.
+//! crease. A meeting that has been computed is followed to smaller distances. That of the crease shrinks into it,
+//! along a part's border where it comes upon one; any other one ends on the way and is reported. So many are followed, then the
+//! pair stays open.
 #pragma once
 
 #include "crease_sides.h"
