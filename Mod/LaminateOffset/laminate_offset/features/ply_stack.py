@@ -272,7 +272,8 @@ def check_linked_rosettes(stack: Any) -> None:
         )
     if missing and names != missing:
         raise ValueError(
-            "Some rows of the layup name a rosette and others none; choose a Rosette in the stack's panel for the others."
+            "Some rows of the layup name a rosette and others none; choose a Rosette in the stack's panel for the others. "
+            "Ply book and CalculiX section take plies of one rosette only: for these let all rows name the same, or none."
         )
 
 
