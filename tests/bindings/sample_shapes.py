@@ -51,7 +51,7 @@ def trimmed_bspline_face() -> Any:
 
 def heavy_face() -> Any:
     """A face whose offset at a tight tolerance takes long enough to watch it."""
-    return bspline_face(count=48)
+    return bspline_face(count=60)
 
 
 def moved(face: Any) -> Any:
