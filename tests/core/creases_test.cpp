@@ -349,13 +349,13 @@ TEST(CreasedFace, ACreaseAroundOrAlongAClosedTubeKeepsItsSeam)
         }
 }
 
-TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
+//! A closed spline with a kink at 1, smooth at its seam, in the plane of two axes.
+Handle(Geom_Curve) closed_profile(const gp_Ax2 &axes)
 {
-    // a closed spline with a kink at 1, smooth at its seam
     const double x[] = {0, 15, 25, 40, 25, 15, 0, -15, -15, 0}, y[] = {-12, -12, -10, 0, 10, 12, 12, 12, -12, -12};
     TColgp_Array1OfPnt poles(1, 10);
     for (int i = 1; i <= 10; ++i)
-        poles(i) = gp_Pnt(x[i - 1], y[i - 1], 0.0);
+        poles(i) = axes.Location().XYZ() + x[i - 1] * axes.XDirection().XYZ() + y[i - 1] * axes.YDirection().XYZ();
     TColStd_Array1OfReal knots(1, 4);
     TColStd_Array1OfInteger multiplicities(1, 4);
     for (int i = 1; i <= 4; ++i)
@@ -363,7 +363,12 @@ TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
         knots(i) = i - 1;
         multiplicities(i) = i == 1 || i == 4 ? 4 : 3;
     }
-    const Handle(Geom_BSplineCurve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+}
+
+TEST(CreasedFace, AClosedProfileWithAKinkIsSplitThereAndAtItsSeam)
+{
+    const Handle(Geom_Curve) profile = closed_profile(gp_Ax2(gp::Origin(), gp::DZ(), gp::DX()));
     const TopoDS_Face base =
         BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(profile, gp::DZ()), 0.0, 3.0, 0.0, 50.0, 1e-7);
     for (const double distance : {0.5, -0.5})
@@ -383,18 +388,7 @@ TopoDS_Face swept_round(const Handle(Geom_Curve) & profile)
 
 TEST(CreasedFace, RingsOfAKinkedProfileAreSplitHoweverTheirLoopsAreWritten)
 {
-    const double x[] = {0, 15, 25, 40, 25, 15, 0, -15, -15, 0}, z[] = {-12, -12, -10, 0, 10, 12, 12, 12, -12, -12};
-    TColgp_Array1OfPnt poles(1, 10);
-    for (int i = 1; i <= 10; ++i)
-        poles(i) = gp_Pnt(100.0 + x[i - 1], 0.0, z[i - 1]);
-    TColStd_Array1OfReal knots(1, 4);
-    TColStd_Array1OfInteger multiplicities(1, 4);
-    for (int i = 1; i <= 4; ++i)
-    {
-        knots(i) = i - 1;
-        multiplicities(i) = i == 1 || i == 4 ? 4 : 3;
-    }
-    const Handle(Geom_Curve) profile = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
+    const Handle(Geom_Curve) profile = closed_profile(gp_Ax2(gp_Pnt(100, 0, 0), -gp::DY(), gp::DX()));
     for (const TopoDS_Face &base : {swept_round(profile), face_on(new Geom_SurfaceOfRevolution(profile, gp::OZ()))})
         for (const double distance : {0.5, -0.5})
         {

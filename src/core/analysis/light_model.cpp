@@ -283,11 +283,16 @@ public:
         const Net vv = derivative_v(v, m_blocks.v());
         m_cones_u = cones(m_blocks, u);
         m_cones_v = cones(m_blocks, v);
+        for (std::size_t k = 0; k < m_cones_u.size(); ++k)
+        {
+            const bool regular = m_cones_u[k].shortest > 0.0 && m_cones_v[k].shortest > 0.0;
+            m_sines.push_back(regular ? least_sine(m_cones_u[k], m_cones_v[k]) : 0.0);
+        }
         m_second = {{}, {}, m_blocks.longest(uu, 0.0), m_blocks.longest(uv, 0.0), m_blocks.longest(vv, 0.0)};
         note_curvature(uu, uv, vv);
     }
 
-    //! The model's error; infinite where a block may hold a place without a normal.
+    //! The model's error, of a base that has normals; infinite where the model may turn them by more than a small angle.
     [[nodiscard]] ModelError error(const ReducedSpline &model) const
     {
         const Lengths change = changes(model);
@@ -301,11 +306,7 @@ public:
     //! Does every block certainly have normals? Else no model of this base can be held against it.
     [[nodiscard]] bool has_normals() const
     {
-        for (std::size_t k = 0; k < m_cones_u.size(); ++k)
-            if (!(m_cones_u[k].shortest > 0.0 && m_cones_v[k].shortest > 0.0 &&
-                  least_sine(m_cones_u[k], m_cones_v[k]) > 0.0))
-                return false;
-        return true;
+        return std::all_of(m_sines.begin(), m_sines.end(), [](double sine) { return sine > 0.0; });
     }
 
     //! The largest curvature at the blocks' centres [1/mm].
@@ -338,12 +339,12 @@ private:
         const auto of = [k](const Grid &grid) { return grid.data()[k]; };
         const Cone &u = m_cones_u[static_cast<std::size_t>(k)];
         const Cone &v = m_cones_v[static_cast<std::size_t>(k)];
-        const double sine = least_sine(u, v);
+        const double sine = m_sines[static_cast<std::size_t>(k)];
         const double du = of(change.u) / u.shortest;
         const double dv = of(change.v) / v.shortest;
         const double turn = (du + dv + du * dv) / sine;
         const double stretch = (du + dv) / sine;
-        if (!(sine > 0.0 && u.shortest > 0.0 && v.shortest > 0.0) || !(turn <= small_angle))
+        if (!(turn <= small_angle))
         {
             error.normal = error.curvature = std::numeric_limits<double>::infinity();
             return;
@@ -383,6 +384,7 @@ private:
     Blocks m_blocks;
     std::vector<Cone> m_cones_u;
     std::vector<Cone> m_cones_v;
+    std::vector<double> m_sines; //!< least ones between the two derivatives; 0 where either may vanish
     Lengths m_second;
     double m_curvature = 0.0;
 };
