@@ -8,6 +8,7 @@
 #include "projection/edge_images.h"
 #include "report/face_report.h"
 #include "surface/check_meetings.h"
+#include "surface/cut_offset.h"
 #include "surface/offset_surface.h"
 #include "topology/build_face.h"
 #include "topology/extended_face.h"
@@ -51,6 +52,13 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    //! A face after the stages that make its offset surface.
+    struct Surfaced
+    {
+        SurfaceAnalysis analysis;
+        OffsetSurface surface;
+    };
 
     //! A face, or a part of it, after the stages that make its offset.
     struct Made
@@ -96,16 +104,19 @@ private:
         const Result<InputFace> input = read_face(shape);
         if (!input)
             return input.failure();
-        Result<Made> whole = make(input.value(), m_options);
-        if (!whole && whole.failure().status == Status::KinkedSurface)
+        Result<Surfaced> surface = surfaced(input.value(), m_options);
+        if (!surface && surface.failure().status == Status::KinkedSurface)
         {
             const Result<std::vector<InputFace>> parts = parts_of(input.value(), m_options.tolerance);
             return parts ? run_parts(input.value(), parts.value()) : parts.failure();
         }
+        if (!surface)
+            return surface.failure();
+        Result<Made> whole = trimmed(input.value(), surface.value(), m_options);
         if (!whole && whole.failure().status == Status::EdgeToleranceNotReached)
             if (const auto parts = parts_of(input.value(), seam_share * m_options.tolerance);
                 parts && parts.value().size() > 1)
-                return run_parts(input.value(), parts.value());
+                return run_open(input.value(), parts.value(), surface.value());
         if (whole && m_options.extension > 0.0 && m_options.method == Method::SameParameter)
             whole = extended(input.value(), std::move(whole).value());
         leave();
@@ -173,6 +184,37 @@ private:
         const Result<Creases> creases = examine_creases(parts, made);
         if (!creases)
             return creases.failure();
+        return joined(input, parts, made, creases.value());
+    }
+
+    //! A face whose seam is torn by more than one edge can follow: its parts lie on the surface of the whole, whose ends are
+    //! free to part at the seam, and have its limits.
+    Result<OffsetResult> run_open(const InputFace &input, const std::vector<InputFace> &parts, const Surfaced &whole)
+    {
+        std::vector<Made> made;
+        for (const InputFace &part : parts)
+        {
+            Surfaced own{{whole.analysis.base, LoopRegion(part), whole.analysis.negative, whole.analysis.positive,
+                          whole.analysis.sampled},
+                         cut_to(part, whole.surface, m_options.distance)};
+            Result<Made> one = trimmed(part, own, m_options);
+            if (!one)
+                return one.failure();
+            made.push_back(std::move(one).value());
+        }
+        return joined(input, parts, made, {kind_of(edges_between(parts, made)), whole.surface.apart});
+    }
+
+    //! What the parts of a creased face do to each other.
+    struct Creases
+    {
+        std::optional<CreaseKind> kind;
+        bool apart = true; //!< false: whether parts meet elsewhere could not be settled
+    };
+
+    OffsetResult joined(const InputFace &input, const std::vector<InputFace> &parts, const std::vector<Made> &made,
+                        const Creases &creases)
+    {
         enter(Stage::Topology);
         std::vector<OffsetPart> torn;
         std::vector<TopoDS_Face> faces;
@@ -183,8 +225,8 @@ private:
         }
         OffsetReport report = joint_report(input, parts, made);
         report.gap = tear_width(torn, m_options.tolerance);
-        report.crease = creases.value().kind;
-        report.apart = report.apart && creases.value().apart;
+        report.crease = creases.kind;
+        report.apart = report.apart && creases.apart;
         leave();
         report.elapsed = m_elapsed;
         return OffsetResult{build_shell(input, faces), std::move(report)};
@@ -221,31 +263,32 @@ private:
         }
     }
 
-    //! What the parts of a creased face do to each other.
-    struct Creases
-    {
-        std::optional<CreaseKind> kind;
-        bool apart = true; //!< false: whether parts meet elsewhere could not be settled
-    };
-
+    //! Whether the parts keep apart away from their creases, and what they do there.
     Result<Creases> examine_creases(const std::vector<InputFace> &parts, const std::vector<Made> &made)
     {
         enter(Stage::Surface);
-        const double distance = parts.front().from_surface(m_options.distance);
-        std::vector<CreasedPart> creased;
         std::vector<AnalysedPart> analysed;
         for (std::size_t i = 0; i < made.size(); ++i)
         {
-            creased.push_back({parts[i], made[i].analysis.base});
             const bool moved = made[i].surface.parameter_map || made[i].surface.parameter_shift.Magnitude() > 0.0;
             analysed.push_back({parts[i], made[i].analysis, moved ? nullptr : made[i].surface.geometry});
         }
-        const std::vector<CreaseEdge> edges = crease_edges(creased, distance, m_options.tolerance);
+        const std::vector<CreaseEdge> edges = edges_between(parts, made);
         const Result<PartsApart> apart =
-            check_part_meetings(analysed, edges, distance, m_options.tolerance, Between::Nothing, m_meeting_remedy);
+            check_part_meetings(analysed, edges, parts.front().from_surface(m_options.distance), m_options.tolerance,
+                                Between::Nothing, m_meeting_remedy);
         if (!apart)
             return apart.failure();
         return Creases{kind_of(edges), apart.value().settled};
+    }
+
+    std::vector<CreaseEdge> edges_between(const std::vector<InputFace> &parts, const std::vector<Made> &made)
+    {
+        enter(Stage::Surface);
+        std::vector<CreasedPart> creased;
+        for (std::size_t i = 0; i < made.size(); ++i)
+            creased.push_back({parts[i], made[i].analysis.base});
+        return crease_edges(creased, parts.front().from_surface(m_options.distance), m_options.tolerance);
     }
 
     //! What would work for one part has to work for the others too.
@@ -278,6 +321,12 @@ private:
 
     Result<Made> make(const InputFace &input, const OffsetOptions &options)
     {
+        Result<Surfaced> surface = surfaced(input, options);
+        return surface ? trimmed(input, surface.value(), options) : surface.failure();
+    }
+
+    Result<Surfaced> surfaced(const InputFace &input, const OffsetOptions &options)
+    {
         const double distance = input.from_surface(options.distance);
         enter(Stage::Analysis);
         Result<SurfaceAnalysis> analysis = analyse(input, distance, options.tolerance);
@@ -287,23 +336,30 @@ private:
         Result<OffsetSurface> surface = checked_surface(input, analysis.value(), distance, options);
         if (!surface)
             return surface.failure();
-        Result<Surroundings> around = surroundings(input, surface.value(), distance, options);
+        return Surfaced{std::move(analysis).value(), std::move(surface).value()};
+    }
+
+    //! \param of moved into the result; a refusal leaves it.
+    Result<Made> trimmed(const InputFace &input, Surfaced &of, const OffsetOptions &options)
+    {
+        const double distance = input.from_surface(options.distance);
+        Result<Surroundings> around = surroundings(input, of.surface, distance, options);
         if (!around)
             return around.failure();
         enter(Stage::Trimming);
-        Result<TrimLoops> loops = offset_loops({input, analysis.value().base, surface.value(), distance,
+        Result<TrimLoops> loops = offset_loops({input, of.analysis.base, of.surface, distance,
                                                 edge_share * options.tolerance, nullptr, around.value().image()});
         if (!loops)
             return loops.failure();
-        if (const Result<bool> close = check_edges(input, surface.value(), loops.value(), options.tolerance); !close)
+        if (const Result<bool> close = check_edges(input, of.surface, loops.value(), options.tolerance); !close)
             return close.failure();
         enter(Stage::Topology);
-        const Result<TopoDS_Face> face = build_face(input, surface.value(), loops.value());
+        const Result<TopoDS_Face> face = build_face(input, of.surface, loops.value());
         if (!face)
             return face.failure();
-        OffsetReport own = face_report(input, analysis.value(), surface.value(), loops.value(), options);
+        OffsetReport own = face_report(input, of.analysis, of.surface, loops.value(), options);
         own.extension = around.value().extension;
-        return Made{std::move(analysis).value(), std::move(surface).value(), std::move(loops).value(), face.value(),
+        return Made{std::move(of.analysis), std::move(of.surface), std::move(loops).value(), face.value(),
                     std::move(own)};
     }
 

@@ -486,6 +486,24 @@ TEST(CreasedFace, ASmoothSeamIsNoCreaseHoweverSmallTheTolerance)
         }
 }
 
+//! Two parts of a tube that is cut opposite its seam: each has its own half of the poles; where they lie on the surface that
+//! was fitted to the whole, they agree at the cut to rounding, else to what was asked.
+void expect_one_surface(const std::vector<TopoDS_Face> &faces, double cut, bool fitted_whole)
+{
+    Handle(Geom_Surface) halves[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        halves[i] = BRep_Tool::Surface(faces[static_cast<std::size_t>(i)]);
+        double u0, u1, v0, v1;
+        halves[i]->Bounds(u0, u1, v0, v1);
+        EXPECT_LT(u1 - u0, 0.6 * 2.0 * cut);
+    }
+    double apart = 0.0;
+    for (int i = 0; i <= 50; ++i)
+        apart = std::max(apart, halves[0]->Value(cut, 2.0 * i).Distance(halves[1]->Value(cut, 2.0 * i)));
+    EXPECT_LE(apart, fitted_whole ? rounding : 2.0 * tolerance);
+}
+
 TEST(CreasedFace, ASeamThatIsSmoothEnoughStaysClosed)
 {
     // a tube whose sides meet at the seam under a small angle
@@ -514,6 +532,13 @@ TEST(CreasedFace, ASeamThatIsSmoothEnoughStaysClosed)
             EXPECT_EQ(result.value().report.faces,
                       parts); // the third: half a tolerance is too much beside the fit's own
             EXPECT_LE(result.value().report.edge_error.value_or(1.0), tolerance);
+            expect_parts_right(base, result.value(), distance, parts);
+            if (parts == 1)
+                continue;
+            EXPECT_NEAR(*result.value().report.gap, std::abs(distance) * angle,
+                        0.02 * std::abs(distance) * angle + 1e-6);
+            EXPECT_TRUE(result.value().report.apart);
+            expect_one_surface(parts_of(result.value().shape), 3.0, angle < 1e-3);
         }
     }
 }
