@@ -357,6 +357,42 @@ TEST(Certificate, ProvesGoodFitsWithoutWaste)
     EXPECT_GE(proven, tried - 1);
 }
 
+//! Straight rulings, 60 long, that turn while their middles run 30 far along an arc; across them in u, or in v.
+TensorSpline twisted_ribbon(double turn, bool ruled_in_v)
+{
+    const KnotVector along = clamped_knots(3, 0.0, 1.0, {});
+    const KnotVector across = clamped_knots(1, 0.0, 1.0, {});
+    const auto pole = [&](int i, int j) {
+        const double angle = turn * i / 3.0, side = j == 0 ? -30.0 : 30.0;
+        return Eigen::Vector4d(10.0 * i, side * std::cos(angle), side * std::sin(angle) + 1.0 * i * i, 1.0);
+    };
+    TensorSpline ribbon{ruled_in_v ? along : across, ruled_in_v ? across : along, {}, false};
+    for (int a = 0; a < (ruled_in_v ? 4 : 2); ++a)
+        for (int b = 0; b < (ruled_in_v ? 2 : 4); ++b)
+            ribbon.poles.push_back(ruled_in_v ? pole(a, b) : pole(b, a));
+    return ribbon;
+}
+
+TEST(Certificate, ProvesFitsOfTwistedRibbonsWithStraightRulings)
+{
+    int tried = 0;
+    for (const double turn : {0.2, 0.6, 1.2})
+        for (const bool ruled_in_v : {true, false})
+            for (const double distance : {14.0, -14.0, 0.5})
+            {
+                SCOPED_TRACE(testing::Message()
+                             << "turn " << turn << " ruled in v " << ruled_in_v << " distance " << distance);
+                const TensorSpline base = twisted_ribbon(turn, ruled_in_v);
+                const TensorSpline offset = fitted(base, distance, 6, 1);
+                const double error = seen(base, offset, distance, 201);
+                ASSERT_LT(error, 0.1 * std::abs(distance));
+                const Certificate certificate = certify({base, offset, distance, 1.1 * error, {}});
+                EXPECT_TRUE(certificate.proven) << certificate.bound << " against " << error;
+                ++tried;
+            }
+    EXPECT_EQ(tried, 18);
+}
+
 TEST(Certificate, RefusesAMovedPole)
 {
     const TensorSpline base = panel();

@@ -125,7 +125,7 @@ public:
         if (corners.maxCoeff() > m_target) // no proof can get below what is attained
             return bound;
         Piece upper = piece;
-        const bool along_u = bends_more_in_u(piece.base.numerator);
+        const bool along_u = changes_more_along_u(piece.base.numerator);
         piece.base.halve(along_u, upper.base);
         piece.offset.halve(along_u, upper.offset);
         // the worse half first: where the piece fails, that shows soonest
@@ -140,29 +140,39 @@ public:
     }
 
 private:
-    //! Compares the second differences of the poles: halving pays most across the sharper bend.
-    static bool bends_more_in_u(const Bernstein3 &p)
+    //! Does S_u x S_v change more along u than along v? Halving pays most across the sharper change: that of a twisted ribbon
+    //! with straight rulings is along these, and no bend of its poles shows it.
+    static bool changes_more_along_u(const Bernstein3 &p)
     {
-        double along_u = 0.0;
-        double along_v = 0.0;
-        const auto bend = [&](int i, int j, int di, int dj) {
-            double square = 0.0;
-            for (const Bernstein &c : p)
-                square += std::pow(
-                    c.coefficient(i - di, j - dj) - 2.0 * c.coefficient(i, j) + c.coefficient(i + di, j + dj), 2);
-            return square;
-        };
-        const int m = p[0].degree_u();
-        const int n = p[0].degree_v();
-        for (int i = 0; i <= m; ++i)
-            for (int j = 0; j <= n; ++j)
+        const double m = p[0].degree_u();
+        const double n = p[0].degree_v();
+        const double lu = m * longest_difference(p, 1, 0, 0, 0);
+        const double lv = n * longest_difference(p, 0, 1, 0, 0);
+        const double uv = m * n * longest_difference(p, 1, 0, 0, 1);
+        const double along_u = m * (m - 1.0) * longest_difference(p, 1, 0, 1, 0) * lv + uv * lu;
+        const double along_v = n * (n - 1.0) * longest_difference(p, 0, 1, 0, 1) * lu + uv * lv;
+        return along_u != along_v ? along_u > along_v : lu >= lv;
+    }
+
+    //! The longest difference of coefficients by (ui, uj), of differences by (vi, vj) where that is a step.
+    static double longest_difference(const Bernstein3 &p, int ui, int uj, int vi, int vj)
+    {
+        const bool second = vi + vj > 0;
+        double longest = 0.0;
+        for (int i = 0; i + ui + vi <= p[0].degree_u(); ++i)
+            for (int j = 0; j + uj + vj <= p[0].degree_v(); ++j)
             {
-                if (i > 0 && i < m)
-                    along_u = std::max(along_u, bend(i, j, 1, 0));
-                if (j > 0 && j < n)
-                    along_v = std::max(along_v, bend(i, j, 0, 1));
+                double square = 0.0;
+                for (const Bernstein &c : p)
+                {
+                    double step = c.coefficient(i + ui, j + uj) - c.coefficient(i, j);
+                    if (second)
+                        step = c.coefficient(i + ui + vi, j + uj + vj) - c.coefficient(i + vi, j + vj) - step;
+                    square += step * step;
+                }
+                longest = std::max(longest, square);
             }
-        return along_u >= along_v;
+        return std::sqrt(longest);
     }
 
     double try_frame(const Piece &piece, bool general)

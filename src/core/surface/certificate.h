@@ -9,7 +9,8 @@
 //! part lies between sqrt(d^2 + min a - |w_t|^2) and sqrt(d^2 + max a), its sign is read at the centre and
 //! counts only while it can change nowhere on the rectangle.
 //! Where S_u x S_v vanishes on a border (poles, collapsed sides) the factor is divided out and
-//! |w_t| = |w x M| / |M| is used instead. Rectangles are halved until the bound passes. Normals are
+//! |w_t| = |w x M| / |M| is used instead. Rectangles are halved, across the direction in which S_u x S_v changes more, until
+//! the bound passes. Normals are
 //! one-sided by construction, because every rectangle is one polynomial piece. All bounds are inflated
 //! for rounding.
 #pragma once
