@@ -178,7 +178,7 @@ private:
         {
             Result<Made> one = tried[i] ? *std::move(tried[i]) : make(parts[i], part_options(i, parts.size()));
             if (!one)
-                return with_limits_of_all(one.failure(), parts);
+                return with_limits_of_all(one.failure(), input);
             made.push_back(std::move(one).value());
         }
         const Result<Creases> creases = examine_creases(parts, made);
@@ -292,18 +292,15 @@ private:
     }
 
     //! What would work for one part has to work for the others too.
-    Failure with_limits_of_all(Failure failure, const std::vector<InputFace> &parts) const
+    Failure with_limits_of_all(Failure failure, const InputFace &input) const
     {
         if (!failure.feasible_range)
             return failure;
-        for (const InputFace &part : parts)
+        const double distance = input.from_surface(m_options.distance);
+        if (Result<SurfaceAnalysis> analysis = read_creased_base(input, distance, m_options.tolerance))
         {
-            const double distance = part.from_surface(m_options.distance);
-            if (Result<SurfaceAnalysis> analysis = analyse(part, distance, m_options.tolerance))
-            {
-                find_limits(analysis.value(), part, 0.0, refusal_gap);
-                failure.feasible_range = tightest(*failure.feasible_range, feasible_range(analysis.value(), part));
-            }
+            find_limits(analysis.value(), input, 0.0, refusal_gap);
+            failure.feasible_range = tightest(*failure.feasible_range, feasible_range(analysis.value(), input));
         }
         return failure;
     }

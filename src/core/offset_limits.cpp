@@ -34,18 +34,11 @@ std::optional<OffsetLimit> with_place(const InputFace &input, const std::optiona
     return OffsetLimit{*distance, input.place(limit->uv)};
 }
 
-//! The tighter of two limits on one side.
-std::optional<OffsetLimit> tighter(const std::optional<OffsetLimit> &a, const std::optional<OffsetLimit> &b)
+//! Of a creased face, whose offset is torn into parts, what all of them permit.
+Result<OffsetLimits> limits_of(const InputFace &input)
 {
-    if (!a || !b)
-        return a ? a : b;
-    return std::abs(a->distance) <= std::abs(b->distance) ? a : b;
-}
-
-Result<OffsetLimits> smooth_limits(const InputFace &input)
-{
-    const double tear_distance = crease_distance * input.diagonal;
-    Result<SurfaceAnalysis> analysis = read_base(input, tear_distance, OffsetOptions{}.tolerance);
+    Result<SurfaceAnalysis> analysis =
+        read_creased_base(input, crease_distance * input.diagonal, OffsetOptions{}.tolerance);
     if (!analysis)
         return analysis.failure();
     find_limits(analysis.value(), input, 0.0, limit_gap);
@@ -55,29 +48,6 @@ Result<OffsetLimits> smooth_limits(const InputFace &input)
     limits.negative = with_place(input, range.negative, turned ? analysis.value().positive : analysis.value().negative);
     limits.positive = with_place(input, range.positive, turned ? analysis.value().negative : analysis.value().positive);
     limits.proven = !analysis.value().sampled;
-    return limits;
-}
-
-//! The offset of a creased face is torn into parts: what all of them permit.
-Result<OffsetLimits> limits_of(const InputFace &input)
-{
-    const Result<OffsetLimits> whole = smooth_limits(input);
-    if (whole || whole.failure().status != Status::KinkedSurface)
-        return whole;
-    const Result<std::vector<InputFace>> parts =
-        split_at_creases(input, crease_distance * input.diagonal, OffsetOptions{}.tolerance);
-    if (!parts)
-        return parts.failure();
-    OffsetLimits limits;
-    for (const InputFace &part : parts.value())
-    {
-        const Result<OffsetLimits> own = smooth_limits(part);
-        if (!own)
-            return own.failure();
-        limits.negative = tighter(limits.negative, own.value().negative);
-        limits.positive = tighter(limits.positive, own.value().positive);
-        limits.proven = limits.proven && own.value().proven;
-    }
     return limits;
 }
 

@@ -9,7 +9,9 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <GeomConvert.hxx>
+#include <GeomConvert_CompCurveToBSplineCurve.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -18,6 +20,7 @@
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <gp_Pln.hxx>
@@ -205,15 +208,99 @@ TEST(OffsetLimits, RefuseWhatIsNoFace)
     EXPECT_EQ(nothing.failure().stage, Stage::Input);
 }
 
+//! An arc in the plane y = 0 that sinks from its ends, as a spline.
+Handle(Geom_BSplineCurve) arc(double from, double to, double radius, bool hollow)
+{
+    const double half = 0.5 * (to - from), height = std::sqrt(radius * radius - half * half);
+    const double side = hollow ? 1.0 : -1.0;
+    const gp_Pnt deepest(from + half, 0.0, side * (height - radius));
+    return GeomConvert::CurveToBSplineCurve(GC_MakeArcOfCircle(gp_Pnt(from, 0, 0), deepest, gp_Pnt(to, 0, 0)).Value());
+}
+
+//! The limits of the creased face are the tighter ones of two faces that are its parts.
+void expect_tightest(const TopoDS_Face &creased, const TopoDS_Face &first, const TopoDS_Face &second)
+{
+    const auto tighter = [](const std::optional<OffsetLimit> &a, const std::optional<OffsetLimit> &b) {
+        if (!a || !b)
+            return a ? std::optional(a->distance) : b ? std::optional(b->distance) : std::nullopt;
+        return std::optional(std::abs(a->distance) < std::abs(b->distance) ? a->distance : b->distance);
+    };
+    const Result<OffsetLimits> one = offset_limits(first), other = offset_limits(second);
+    ASSERT_TRUE(one.ok() && other.ok());
+    const auto near = [](const std::optional<OffsetLimit> &limit, const std::optional<double> &wanted) {
+        ASSERT_EQ(limit.has_value(), wanted.has_value());
+        if (!wanted)
+            return;
+        EXPECT_NEAR(limit->distance / *wanted, 1.0, 2.0 * given_away);
+    };
+    const Result<OffsetLimits> whole = offset_limits(creased);
+    ASSERT_TRUE(whole.ok()) << whole.failure().message;
+    EXPECT_TRUE(whole.value().proven);
+    near(whole.value().negative, tighter(one.value().negative, other.value().negative));
+    near(whole.value().positive, tighter(one.value().positive, other.value().positive));
+}
+
 TEST(OffsetLimits, OfACreasedFaceAreTheTightestOfItsParts)
 {
-    // two arcs along y, of which the second is the tighter one, meet in a crease at y = 0
-    const auto arcs = [](double, double y) { return y < 0.0 ? -y * (y + 20.0) / 80.0 : -y * (20.0 - y) / 40.0; };
-    const auto surface = height_surface(arcs, 60.0, 40.0, 2, 5, 1);
-    const TopoDS_Face flat = BRepBuilderAPI_MakeFace(surface, 1e-7);
-    const Result<OffsetLimits> none = offset_limits(flat); // five strips of planes
-    ASSERT_TRUE(none.ok()) << none.failure().message;
-    EXPECT_FALSE(none.value().negative || none.value().positive);
+    const gp_Ax1 axis(gp_Pnt(-60, 0, 0), gp_Dir(0, 0, 1));
+    for (const double radius : {11.0, 25.0, 80.0})
+        for (const bool hollow : {true, false})
+        {
+            SCOPED_TRACE(testing::Message() << "second radius " << radius << " hollow " << hollow);
+            const Handle(Geom_BSplineCurve) first = arc(0.0, 30.0, 40.0, true),
+                                            second = arc(30.0, 50.0, radius, hollow);
+            GeomConvert_CompCurveToBSplineCurve both(first);
+            ASSERT_TRUE(both.Add(second, 1e-9, true));
+            const auto extruded = [](const Handle(Geom_Curve) & profile) {
+                const Handle(Geom_Surface) sweep = new Geom_SurfaceOfLinearExtrusion(profile, gp::DY());
+                return TopoDS_Face(BRepBuilderAPI_MakeFace(sweep, profile->FirstParameter(), profile->LastParameter(),
+                                                           0.0, 70.0, 1e-7));
+            };
+            const auto revolved = [&](const Handle(Geom_Curve) & profile) {
+                const Handle(Geom_Surface) sweep = new Geom_SurfaceOfRevolution(profile, axis);
+                return TopoDS_Face(BRepBuilderAPI_MakeFace(sweep, 0.2, 2.0, profile->FirstParameter(),
+                                                           profile->LastParameter(), 1e-7));
+            };
+            const auto spline = [&](const Handle(Geom_Curve) & profile) {
+                return TopoDS_Face(
+                    BRepBuilderAPI_MakeFace(GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+                                                BRep_Tool::Surface(revolved(profile)), 0.2, 2.0,
+                                                profile->FirstParameter(), profile->LastParameter())),
+                                            1e-7));
+            };
+            ASSERT_EQ(both.BSplineCurve()->Continuity(), GeomAbs_C0);
+            expect_tightest(extruded(both.BSplineCurve()), extruded(first), extruded(second));
+            expect_tightest(revolved(both.BSplineCurve()), revolved(first), revolved(second));
+            expect_tightest(spline(both.BSplineCurve()), spline(first), spline(second));
+        }
+}
+
+TEST(OffsetLimits, OfManyFacetsAreFoundWithoutSplittingThem)
+{
+    // each facet is a twisted quadrilateral, straight along its sides: its largest curvature is near a corner
+    const auto waves = [](double x, double y) { return 0.3 * std::sin(0.7 * x) * std::cos(0.9 * y); };
+    constexpr int poles = 120;
+    const auto surface = height_surface(waves, poles - 1.0, poles - 1.0, poles, poles, 1);
+    const TopoDS_Face sheet = BRepBuilderAPI_MakeFace(surface, 1e-7);
+    const Result<OffsetLimits> limits = offset_limits(sheet);
+    ASSERT_TRUE(limits.ok()) << limits.failure().message;
+    ASSERT_TRUE(limits.value().negative && limits.value().positive);
+    double highest = 0.0, lowest = 0.0;
+    for (int i = 0; i + 1 < poles; ++i)
+        for (int j = 0; j + 1 < poles; ++j)
+            for (int k = 0; k < 25; ++k)
+            {
+                GeomLProp_SLProps local(surface, (i + 0.01 + 0.245 * (k % 5)) / (poles - 1.0),
+                                        (j + 0.01 + 0.245 * (k / 5)) / (poles - 1.0), 2, 1e-12);
+                highest = std::max(highest, local.MaxCurvature());
+                lowest = std::min(lowest, local.MinCurvature());
+            }
+    ASSERT_GT(highest, 0.1);
+    ASSERT_LT(lowest, -0.1);
+    EXPECT_LE(limits.value().positive->distance * highest, 1.0 + 1e-9);
+    EXPECT_LE(limits.value().negative->distance * lowest, 1.0 + 1e-9);
+    EXPECT_GE(limits.value().positive->distance * highest, 0.98) << "sampled at 25 places a facet";
+    EXPECT_GE(limits.value().negative->distance * lowest, 0.98);
 }
 
 TEST(OffsetLimits, InJsonHaveTheDocumentedForm)

@@ -119,6 +119,14 @@ Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, doubl
     return checked(unchecked(input, distance, tolerance), input, distance, tolerance);
 }
 
+Result<SurfaceAnalysis> read_creased_base(const InputFace &input, double distance, double tolerance)
+{
+    SurfaceAnalysis analysis = unchecked(input, distance, tolerance);
+    if (const auto regular = check_base_distance(analysis, input); !regular)
+        return regular.failure();
+    return analysis;
+}
+
 void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double distance, double gap)
 {
     if (const std::optional<ClosedLimits> closed = closed_limits(input))

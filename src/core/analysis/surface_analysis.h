@@ -41,6 +41,11 @@ struct SurfaceAnalysis
 //! Refusals: KinkedSurface; CurvatureLimit for a face on an offset surface that is folded itself.
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance);
 
+//! The same whatever creases there are. Curvature is searched between the knots, so both sides of a crease count for what they
+//! are by themselves, and the limits are the tightest of the parts that the face would be split into.
+//! Refusal: CurvatureLimit as above.
+Result<SurfaceAnalysis> read_creased_base(const InputFace &input, double distance, double tolerance);
+
 //! The gap (see find_limits) of the limits that come with a refusal.
 inline constexpr double refusal_gap = 5e-3;
 
