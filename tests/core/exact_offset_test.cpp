@@ -9,6 +9,7 @@
 #include <laminate_offset/surface/offset_surface.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -42,17 +43,22 @@ struct Kind
     std::string type;
     Handle(Geom_Surface) surface;
     Rectangle part;
-    double size; //!< a length that is typical of it [mm]
+    double size;         //!< a length that is typical of it [mm]
+    bool turned = false; //!< S_u x S_v points inwards in a right-handed frame
 };
 
 std::vector<Kind> kinds(bool direct)
 {
     const gp_Ax3 axes = frame(direct);
+    constexpr bool past_its_axis = true;
     return {{"plane", new Geom_Plane(axes), {-4, 6, -3, 5}, 10.0},
             {"cylinder", new Geom_CylindricalSurface(axes, 9.0), {0.3, 2.0, -4, 5}, 9.0},
             {"sphere", new Geom_SphericalSurface(axes, 15.0), {0.3, 2.0, -0.9, 1.1}, 15.0},
             {"torus", new Geom_ToroidalSurface(axes, 40.0, 11.0), {0.3, 2.0, -1.2, 1.0}, 11.0},
-            {"cone", new Geom_ConicalSurface(axes, 0.4, 12.0), {0.3, 2.0, -9, 14}, 12.0}};
+            {"torus", new Geom_ToroidalSurface(axes, 8.0, 55.0), {0.3, 2.0, 2.5, 4.4}, 8.0, past_its_axis},
+            {"cone", new Geom_ConicalSurface(axes, 0.4, 12.0), {0.3, 2.0, -9, 14}, 12.0},
+            {"cone", new Geom_ConicalSurface(axes, 0.4, 12.0), {0.3, 2.0, -70, -60}, 12.0},
+            {"cone", new Geom_ConicalSurface(axes, -1.2, 5.0), {0.3, 2.0, 20, 26}, 12.0}};
 }
 
 TopoDS_Face face_on(const Handle(Geom_Surface) & surface, const Rectangle &part)
@@ -128,7 +134,7 @@ TEST(ExactOffset, IsSPlusDNForEveryKindHandAndMagnitude)
                 for (const double side : {-1.0, 1.0})
                 {
                     // past the radius on the inner side there is nothing; and the torus' outside is free here
-                    const bool inwards = side * (direct ? 1.0 : -1.0) < 0.0;
+                    const bool inwards = side * (direct != kind.turned ? 1.0 : -1.0) < 0.0;
                     if (inwards && relative > 0.5 && kind.type != "plane")
                         continue;
                     expect_exact(kind, side * relative * kind.size);
@@ -170,7 +176,7 @@ TEST(ExactOffset, TheWholeFaceIsRightInAllPlaces)
                     ++done;
                 }
             }
-    EXPECT_EQ(done, 60);
+    EXPECT_EQ(done, 96);
 }
 
 TEST(ExactOffset, RoundKindsEndAtTheirRadius)
@@ -179,7 +185,7 @@ TEST(ExactOffset, RoundKindsEndAtTheirRadius)
         for (const Kind &kind : kinds(direct))
         {
             SCOPED_TRACE(testing::Message() << kind.type << " direct " << direct);
-            if (kind.type == "plane" || kind.type == "cone")
+            if (kind.type == "plane" || kind.type == "cone" || kind.turned)
                 continue;
             const TopoDS_Face face = face_on(kind.surface, kind.part);
             expect_limit(face, direct ? -kind.size : kind.size);
@@ -197,6 +203,35 @@ TEST(ExactOffset, TheTorusEndsWhereItsTubeReachesTheAxis)
     expect_limit(face_on(torus, {0.3, 2.0, 1.0, 2.5}), -large / std::cos(2.5) - small);
     // only the outside: no limit outwards
     expect_exact({"torus", torus, {0.3, 2.0, -1.5, 1.5}, small}, 1e4);
+}
+
+TEST(ExactOffset, PastItsAxisATorusEndsWhereItsTubeReachesTheAxisAndGrowsWithoutEnd)
+{
+    for (const bool direct : {true, false})
+        for (const auto &[low, high] : {std::pair(2.5, 4.4), {3.0, 3.2}, {4.0, 4.4}, {2.0, 2.2}})
+        {
+            SCOPED_TRACE(testing::Message() << "direct " << direct << " from " << low << " to " << high);
+            const Handle(Geom_Surface) lemon = new Geom_ToroidalSurface(frame(direct), 8.0, 55.0);
+            const TopoDS_Face face = face_on(lemon, {0.3, 2.0, low, high});
+            const double nearest = std::max(std::cos(low), std::cos(high));
+            ASSERT_LT(8.0 + 55.0 * nearest, 0.0);
+            // the tube's own outside lies against S_u x S_v here
+            const double shrinks = direct ? 1.0 : -1.0;
+            expect_limit(face, shrinks * (55.0 + 8.0 / nearest));
+            OffsetOptions options;
+            options.distance = -shrinks * 500.0;
+            const Result<OffsetResult> grown = offset_face(face, options);
+            ASSERT_TRUE(grown.ok()) << grown.failure().message;
+            EXPECT_TRUE(confirms(measure_offset(face, grown.value().face(), options.distance, {20, 20}), 1e-6));
+        }
+}
+
+TEST(ExactOffset, AFaceOfATorusAcrossItsAxisIsRefused)
+{
+    const Handle(Geom_Surface) lemon = new Geom_ToroidalSurface(frame(true), 8.0, 55.0);
+    const TopoDS_Face face = face_on(lemon, {0.3, 2.0, 1.0, 2.5});
+    for (const double distance : {0.5, -0.5})
+        expect_folded(face, distance, 0.0);
 }
 
 TEST(ExactOffset, ARefusalNamesTheLimitsOfBothSides)
@@ -230,6 +265,30 @@ TEST(ExactOffset, TheConeEndsWhereItsTightEndClosesUp)
             const double tight = std::min(12.0 - 5.0 * std::sin(angle), 12.0 + 9.0 * std::sin(angle));
             ASSERT_GT(tight, 0.0);
             expect_limit(face_on(cone, part), (direct ? -1.0 : 1.0) * tight / std::cos(angle));
+        }
+}
+
+TEST(ExactOffset, PastItsApexTheConeEndsWhereItsTightEndClosesUp)
+{
+    for (const bool direct : {true, false})
+        for (const double angle : {0.4, -0.4, 1.2, -0.05})
+        {
+            SCOPED_TRACE(testing::Message() << "direct " << direct << " angle " << angle);
+            const Handle(Geom_Surface) cone = new Geom_ConicalSurface(frame(direct), angle, 12.0);
+            const double apex = -12.0 / std::sin(angle), side = angle > 0.0 ? -1.0 : 1.0;
+            const double tight = apex + side * 10.0, wide = apex + side * 25.0;
+            const TopoDS_Face face = face_on(cone, {0.3, 2.0, std::min(tight, wide), std::max(tight, wide)});
+            const double inwards = (direct ? -1.0 : 1.0) * 10.0 * std::tan(std::abs(angle));
+            expect_limit(face, inwards);
+            const TopoDS_Face whole = face_on(cone, {0.0, 2.0 * M_PI, std::min(tight, wide), std::max(tight, wide)});
+            expect_limit(whole, inwards);
+            const TopoDS_Face tip = face_on(cone, {0.3, 2.0, std::min(apex, wide), std::max(apex, wide)});
+            expect_folded(tip, 0.01 * inwards, 0.0);
+            OffsetOptions options;
+            options.distance = inwards > 0.0 ? -1.0 : 1.0;
+            const Result<OffsetResult> outwards = offset_face(tip, options);
+            ASSERT_TRUE(outwards.ok()) << outwards.failure().message;
+            EXPECT_TRUE(confirms(measure_offset(tip, outwards.value().face(), options.distance, {20, 20}), 1e-6));
         }
 }
 
@@ -303,8 +362,11 @@ TEST(ExactOffset, ThereAndBackIsTheBase)
                 const auto back = offset_face(there.value().face(), options);
                 ASSERT_TRUE(back.ok()) << back.failure().message;
                 const Handle(Geom_Surface) again = BRep_Tool::Surface(back.value().face());
-                EXPECT_LT(deviation(kind.surface, again, kind.part, 0.0, 15).largest, 1e-10) << kind.type;
+                double u0, u1, v0, v1; // a cone past its apex gets parameters of its own
+                BRepTools::UVBounds(back.value().face(), u0, u1, v0, v1);
+                const gp_Vec2d shift(u0 - kind.part.u0, v0 - kind.part.v0);
+                EXPECT_LT(deviation(kind.surface, again, kind.part, 0.0, 15, shift).largest, 1e-10) << kind.type;
                 ++done;
             }
-    EXPECT_EQ(done, 50);
+    EXPECT_EQ(done, 80);
 }

@@ -29,6 +29,8 @@ constexpr double same = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double meant_on_axis_share = 1e-6;
 // A revolved line that rises less than this is a disc, whose parameters no plane has.
 constexpr double least_rise = 1e-6;
+// A cone's radius above zero that is an apex, as part of its largest one.
+constexpr double at_apex = 1e-12;
 
 Handle(Geom_Curve) untrimmed(Handle(Geom_Curve) curve)
 {
@@ -48,7 +50,7 @@ gp_Ax3 axes(const gp_Pnt &origin, const gp_Vec &main, const gp_Vec &x, const gp_
 
 AnalyticForm form(const Handle(Geom_Surface) & surface, double shift_v = 0.0)
 {
-    return {surface, {0.0, shift_v}, {}, true, {}};
+    return {surface, {0.0, shift_v}, {}, true};
 }
 
 std::optional<AnalyticForm> extruded(const Geom_SurfaceOfLinearExtrusion &extrusion)
@@ -187,12 +189,46 @@ std::optional<AnalyticForm> form_of(const Handle(Geom_Surface) & surface, const 
 {
     // elementary surfaces are these five kinds
     if (surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
-        return AnalyticForm{surface, {0.0, 0.0}, {}, false, {}};
+        return AnalyticForm{surface};
     if (const auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface))
         return extruded(*extrusion);
     if (const auto revolution = Handle(Geom_SurfaceOfRevolution)::DownCast(surface))
         return Revolved(*revolution, box).form_of_profile();
     return std::nullopt;
+}
+
+//! The same points of a cone whose radii are negative all over the box: half a turn about the axis makes them positive.
+AnalyticForm on_near_nappe(const AnalyticForm &far, const Geom_ConicalSurface &cone)
+{
+    const double sine = std::sin(cone.SemiAngle());
+    const double wide = sine > 0.0 ? far.box.vmin : far.box.vmax;
+    gp_Ax3 position = cone.Position();
+    position.Rotate(position.Axis(), M_PI);
+    position.Translate(wide * std::cos(cone.SemiAngle()) * gp_Vec(position.Direction()));
+    AnalyticForm near = far;
+    near.surface = new Geom_ConicalSurface(position, -cone.SemiAngle(), -(cone.RefRadius() + wide * sine));
+    near.shift.SetY(far.shift.Y() - wide);
+    near.box.vmin -= wide;
+    near.box.vmax -= wide;
+    near.disguised = true;
+    return near;
+}
+
+//! Are the cone's radii negative all over the box, but for an apex?
+bool past_apex(const AnalyticForm &form, const Geom_ConicalSurface &cone)
+{
+    const auto radius = [&](double v) { return cone.RefRadius() + v * std::sin(cone.SemiAngle()); };
+    const double at_low = radius(form.box.vmin), at_high = radius(form.box.vmax);
+    return std::max(at_low, at_high) < at_apex * std::max(std::abs(at_low), std::abs(at_high));
+}
+
+bool past_axis(const AnalyticForm &form, const Geom_ToroidalSurface &torus)
+{
+    const ParameterBox &box = form.box;
+    const double turn = 2.0 * M_PI;
+    const double outermost = turn * std::ceil(box.vmin / turn);
+    const double cosine = outermost <= box.vmax ? 1.0 : std::max(std::cos(box.vmin), std::cos(box.vmax));
+    return torus.MajorRadius() + torus.MinorRadius() * cosine < 0.0;
 }
 
 } // namespace
@@ -205,6 +241,13 @@ std::optional<AnalyticForm> analytic_form(const InputFace &input)
     const gp_Vec2d &shift = form->shift;
     form->box = {input.box.umin + shift.X(), input.box.umax + shift.X(), input.box.vmin + shift.Y(),
                  input.box.vmax + shift.Y()};
+    if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form->surface);
+        !cone.IsNull() && past_apex(*form, *cone))
+        form = on_near_nappe(*form, *cone);
+    if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(form->surface); !torus.IsNull())
+        form->past_axis = past_axis(*form, *torus);
+    const bool direct = Handle(Geom_ElementarySurface)::DownCast(form->surface)->Position().Direct();
+    form->normal_sign = direct != form->past_axis ? 1.0 : -1.0;
     return form;
 }
 

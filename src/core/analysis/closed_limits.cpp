@@ -20,15 +20,11 @@ namespace
 // Of the few operations behind a limit.
 constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-//! Writes limits down by their side: inwards is against the normal that a right-handed frame gives.
+//! Writes limits down by their side: inwards is against the normal that the kind has in a right-handed frame.
 class LimitWriter
 {
 public:
-    //! S_u x S_v points outwards of the kind's right-handed normal, or inwards for a left-handed frame.
-    LimitWriter(const AnalyticForm &form, const gp_Ax3 &position)
-        : m_shift(form.shift), m_sign(position.Direct() ? 1.0 : -1.0)
-    {
-    }
+    explicit LimitWriter(const AnalyticForm &form) : m_shift(form.shift), m_sign(form.normal_sign) {}
 
     void inwards(double length, double u, double v) { write(-m_sign, length, length, u, v); }
     //! Feasible up to a length, folded from a larger one on.
@@ -48,9 +44,9 @@ private:
     ClosedLimits m_limits;
 };
 
-ClosedLimits limits_of_round(const AnalyticForm &form, const gp_Ax3 &position, double radius)
+ClosedLimits limits_of_round(const AnalyticForm &form, double radius)
 {
-    LimitWriter writer(form, position);
+    LimitWriter writer(form);
     writer.inwards(radius, form.box.umin, form.box.vmin);
     return writer.limits();
 }
@@ -63,7 +59,7 @@ ClosedLimits limits_of_sphere(const AnalyticForm &form, const Geom_SphericalSurf
 {
     const double beside = form.error.point;
     if (beside == 0.0)
-        return limits_of_round(form, sphere.Position(), sphere.Radius());
+        return limits_of_round(form, sphere.Radius());
     const double radius = sphere.Radius();
     const ParameterBox &box = form.box;
     const double v = std::abs(box.vmin) > std::abs(box.vmax) ? box.vmin : box.vmax; // nearer to a pole
@@ -74,15 +70,27 @@ ClosedLimits limits_of_sphere(const AnalyticForm &form, const Geom_SphericalSurf
     const double q = room > 0.0 ? beside * beside / (room * room) : 1.0;
     const double folds =
         q < 0.1 ? radius * (1.0 + rounding) / (1.0 - 3.0 * q) : std::numeric_limits<double>::infinity();
-    LimitWriter writer(form, sphere.Position());
+    LimitWriter writer(form);
     writer.inwards(radius * (1.0 - rounding) - beside / least_cosine, folds, box.umin, v);
     return writer.limits();
 }
 
-//! The tube ends at its own radius and, on the inner side, where it reaches the axis: R + (r + d) cos v = 0.
+//! Past the axis the tube may grow without end and shrink until it touches the axis: R + (r + d) cos v = 0.
+ClosedLimits limits_past_axis(const AnalyticForm &form, const Geom_ToroidalSurface &torus)
+{
+    LimitWriter writer(form);
+    const double v = std::cos(form.box.vmin) > std::cos(form.box.vmax) ? form.box.vmin : form.box.vmax;
+    writer.inwards(torus.MinorRadius() + torus.MajorRadius() / std::cos(v), form.box.umin, v);
+    return writer.limits();
+}
+
+//! The tube ends at its own radius and, on the inner side, where it reaches the axis: R + (r + d) cos v = 0. A face that goes
+//! through the axis has none.
 ClosedLimits limits_of_torus(const AnalyticForm &form, const Geom_ToroidalSurface &torus)
 {
-    LimitWriter writer(form, torus.Position());
+    if (form.past_axis)
+        return limits_past_axis(form, torus);
+    LimitWriter writer(form);
     const ParameterBox &box = form.box;
     writer.inwards(torus.MinorRadius(), box.umin, box.vmin);
     const double turn = 2.0 * M_PI;
@@ -98,10 +106,10 @@ ClosedLimits limits_of_torus(const AnalyticForm &form, const Geom_ToroidalSurfac
     return writer.limits();
 }
 
-//! A cone ends where its tight end closes up; on the far nappe (negative radius) its normal has turned over.
+//! A cone ends where its tight end closes up. A face that goes through the apex has no limits.
 ClosedLimits limits_of_cone(const AnalyticForm &form, const Geom_ConicalSurface &cone, double diagonal)
 {
-    LimitWriter writer(form, cone.Position());
+    LimitWriter writer(form);
     const auto radius = [&](double v) { return cone.RefRadius() + v * std::sin(cone.SemiAngle()); };
     const double v = radius(form.box.vmin) < radius(form.box.vmax) ? form.box.vmin : form.box.vmax;
     writer.inwards(std::max(0.0, radius(v)) / std::cos(cone.SemiAngle()), form.box.umin, v);
@@ -119,7 +127,7 @@ std::optional<ClosedLimits> closed_limits(const InputFace &input)
     if (!form)
         return std::nullopt;
     if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(form->surface))
-        return limits_of_round(*form, cylinder->Position(), cylinder->Radius());
+        return limits_of_round(*form, cylinder->Radius());
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(form->surface))
         return limits_of_sphere(*form, *sphere);
     if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form->surface))

@@ -29,9 +29,6 @@ constexpr double disguise_operations = 16.0 * 64.0;
 // Part of the tolerance that a base may be off its form.
 constexpr double form_share = 0.1;
 
-//! S_u x S_v points outwards of the kind's right-handed normal, or inwards for a left-handed frame.
-double handedness(const gp_Ax3 &position) { return position.Direct() ? 1.0 : -1.0; }
-
 Handle(Geom_Surface) offset_plane(const Geom_Plane &plane, double d)
 {
     gp_Ax3 position = plane.Position();
@@ -44,7 +41,7 @@ Handle(Geom_Surface) offset_plane(const Geom_Plane &plane, double d)
 //! its origin lower by d sin a.
 Handle(Geom_Surface) offset_cone(const AnalyticForm &form, const Geom_ConicalSurface &cone, double d, gp_Vec2d &shift)
 {
-    const double s = handedness(cone.Position());
+    const double s = form.normal_sign;
     const double angle = cone.SemiAngle();
     const auto radius_at = [&](double v) { return cone.RefRadius() + v * std::sin(angle) + s * d * std::cos(angle); };
     gp_Ax3 position = cone.Position();
@@ -67,13 +64,12 @@ Handle(Geom_Surface) offset_form(const AnalyticForm &form, double d, gp_Vec2d &s
     if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form.surface))
         return offset_cone(form, *cone, d, shift);
     if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(form.surface))
-        return new Geom_CylindricalSurface(cylinder->Position(),
-                                           cylinder->Radius() + handedness(cylinder->Position()) * d);
+        return new Geom_CylindricalSurface(cylinder->Position(), cylinder->Radius() + form.normal_sign * d);
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(form.surface))
-        return new Geom_SphericalSurface(sphere->Position(), sphere->Radius() + handedness(sphere->Position()) * d);
+        return new Geom_SphericalSurface(sphere->Position(), sphere->Radius() + form.normal_sign * d);
     const auto torus = Handle(Geom_ToroidalSurface)::DownCast(form.surface);
     return new Geom_ToroidalSurface(torus->Position(), torus->MajorRadius(),
-                                    torus->MinorRadius() + handedness(torus->Position()) * d);
+                                    torus->MinorRadius() + form.normal_sign * d);
 }
 
 //! How far the numbers that a surface is given by reach beyond the face: its location, radii and poles may be far away.
