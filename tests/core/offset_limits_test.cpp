@@ -303,6 +303,36 @@ TEST(OffsetLimits, OfManyFacetsAreFoundWithoutSplittingThem)
     EXPECT_GE(limits.value().negative->distance * lowest, 0.98);
 }
 
+TEST(OffsetLimits, OfAReportAreOfUseOnBothSides)
+{
+    // rough ground of thousands of pieces, gentle ground, and a tube: the limits are a by-product of one distance here
+    const auto rough = [](double x, double y) { return 2.0 * std::sin(1.3 * x) * std::cos(1.1 * y + 0.05 * x * x); };
+    const auto gentle = [](double x, double y) { return 3.0 * std::sin(0.05 * x) * std::cos(0.06 * y); };
+    const Handle(Geom_Surface) grounds[] = {height_surface(rough, 60.0, 50.0, 70, 60), saddle(),
+                                            height_surface(gentle, 200.0, 150.0, 12, 10), wavy_tube(30.0)};
+    for (const Handle(Geom_Surface) & ground : grounds)
+    {
+        const TopoDS_Face face = BRepBuilderAPI_MakeFace(ground, 1e-7);
+        const Result<OffsetLimits> limits = offset_limits(face);
+        ASSERT_TRUE(limits.ok()) << limits.failure().message;
+        ASSERT_TRUE(limits.value().negative && limits.value().positive);
+        for (const double part : {0.02, 0.5})
+            for (const double side : {limits.value().negative->distance, limits.value().positive->distance})
+            {
+                SCOPED_TRACE(testing::Message() << ground->DynamicType()->Name() << " " << part * side);
+                const Result<OffsetResult> made = offset(face, part * side, 0.05);
+                ASSERT_TRUE(made.ok()) << made.failure().message;
+                ASSERT_TRUE(made.value().report.limits);
+                const FeasibleRange &told = *made.value().report.limits;
+                ASSERT_TRUE(told.negative && told.positive);
+                EXPECT_GE(*told.negative / limits.value().negative->distance, 0.45);
+                EXPECT_GE(*told.positive / limits.value().positive->distance, 0.45);
+                EXPECT_LE(*told.negative / limits.value().negative->distance, 1.0 + given_away);
+                EXPECT_LE(*told.positive / limits.value().positive->distance, 1.0 + given_away);
+            }
+    }
+}
+
 TEST(OffsetLimits, InJsonHaveTheDocumentedForm)
 {
     const TopoDS_Face pipe = BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 7.0), 0, 2, 0, 30, 1e-7);

@@ -32,6 +32,10 @@ constexpr int steps_per_piece = 8;
 constexpr int steps_after_decision = 16;
 constexpr int most_steps_after_decision = 50;
 constexpr double wide_gap = 0.25;
+// A limit that falls short of the true one by more than half says nothing to a user.
+constexpr double useless_gap = 1.0;
+constexpr int most_steps_while_useless = 400; // and so many more for every whole piece:
+constexpr int useless_steps_per_piece = 4;
 // Sine of the angle between S_u and S_v, and ratio of their lengths, below which a place is singular.
 constexpr double singular_sine = 1e-8;
 // Curvature times extent below which a limit is of no interest.
@@ -333,10 +337,12 @@ private:
     {
         const double threshold = m_goal.threshold;
         const bool decided = threshold == 0.0 || (m_best.value < threshold && m_open.front().bound < threshold);
-        if (!m_goal.deciding || !decided)
+        const double bound = m_open.front().bound;
+        if (!m_goal.deciding || !decided || std::isinf(bound))
             return most_steps + steps_per_piece * m_tree.roots();
-        const bool wide = m_open.front().bound > m_best.value * (1.0 + wide_gap);
-        return wide ? most_steps_after_decision : steps_after_decision;
+        if (bound > m_best.value * (1.0 + useless_gap))
+            return most_steps_while_useless + useless_steps_per_piece * m_tree.roots();
+        return bound > m_best.value * (1.0 + wide_gap) ? most_steps_after_decision : steps_after_decision;
     }
 
     void settle(double bound) { m_settled = std::max(m_settled, bound); }
