@@ -10,9 +10,13 @@
 #include <Geom_SphericalSurface.hxx>
 #include <laminate_offset/offset_face.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -34,6 +38,22 @@ TopoDS_Face whole(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_
 Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face &face)
 {
     return Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face));
+}
+
+//! A rectangle of parameters as four edges, of which two may coincide in space without knowing it.
+TopoDS_Face rectangle_on(const Handle(Geom_Surface) & surface, const Rectangle &box)
+{
+    const gp_Pnt2d corners[] = {{box.u0, box.v0}, {box.u1, box.v0}, {box.u1, box.v1}, {box.u0, box.v1}};
+    BRepBuilderAPI_MakeWire wire;
+    for (int i = 0; i < 4; ++i)
+    {
+        const gp_Vec2d way(corners[i], corners[(i + 1) % 4]);
+        const TopoDS_Edge edge =
+            BRepBuilderAPI_MakeEdge(new Geom2d_Line(corners[i], gp_Dir2d(way)), surface, 0.0, way.Magnitude());
+        BRepLib::BuildCurve3d(edge);
+        wire.Add(edge);
+    }
+    return BRepBuilderAPI_MakeFace(surface, wire.Wire(), true);
 }
 
 //! A spline within the tolerance of S + d N over the whole face, with a report that says nothing better than the
@@ -220,6 +240,22 @@ TEST(FittedOffset, OfAPartOfAPeriodicTubeAcrossItsSeam)
     const TopoDS_Face part = BRepBuilderAPI_MakeFace(wavy_tube(60.0), 9.5, 14.0, 0.2, 2.5, 1e-7);
     for (const double distance : {15.0, -15.0})
         EXPECT_GT(expect_fitted(part, distance, 1e-3), 0);
+}
+
+TEST(FittedOffset, OfLoopsAllTheWayRoundThatOverlapByWhatTheirEndsMissEachOther)
+{
+    const Handle(Geom_BSplineSurface) tube = wavy_tube(60.0); // its period in u is 12
+    for (const double overlap : {0.0, 1e-9, 1e-7, 5e-6})
+        for (const double start : {0.0, 3.3, -1.0})
+            for (const double distance : {2.0, -2.0})
+            {
+                SCOPED_TRACE(testing::Message() << "overlap " << overlap << " from " << start);
+                const TopoDS_Face base = rectangle_on(tube, {start, start + 12.0 + overlap, 0.2, 2.5});
+                EXPECT_GT(expect_fitted(base, distance, 1e-3), 0);
+                const auto result = offset(base, distance, 1e-3);
+                ASSERT_TRUE(result.ok() && result.value().report.certified_error);
+                EXPECT_LE(result.value().report.edge_error.value_or(1.0), 1e-3) << "every edge is proven";
+            }
 }
 
 TEST(FittedOffset, OfSurfacesThatAreNoSplines)

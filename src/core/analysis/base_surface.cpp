@@ -126,8 +126,8 @@ void widen(double &low, double &high, double first, double last, bool periodic)
     const double extra = margin * (high - low);
     if (periodic)
     {
-        const double period = last - first;
-        const double room = std::max(0.0, std::min(extra, 0.5 * (period - (high - low))));
+        // loops all the way round may overlap by what their ends miss each other: beyond a period there is nothing to add
+        const double room = std::min(extra, 0.5 * (last - first - (high - low)));
         low -= room;
         high += room;
         return;
