@@ -8,9 +8,11 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -173,4 +175,58 @@ TEST(Robustness, ToleranceOfTheInputMayBeLargerThanTheUsers)
         EXPECT_LE(result.value().report.edge_error.value_or(HUGE_VAL), 1e-4);
         EXPECT_TRUE(BRepCheck_Analyzer(result.value().face()).IsValid());
     }
+}
+
+//! A triangle of parameters whose sides overrun two of its corners, whose vertices hold that.
+TopoDS_Face with_crossing_corners(const Handle(Geom_Surface) & surface, double overrun, double vertex_tolerance)
+{
+    const gp_Pnt2d corners[] = {{0.2, 0.2}, {0.8, 0.3}, {0.4, 0.8}};
+    const BRep_Builder builder;
+    TopoDS_Vertex vertices[3];
+    for (int i = 0; i < 3; ++i)
+        builder.MakeVertex(vertices[i], surface->Value(corners[i].X(), corners[i].Y()), vertex_tolerance);
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (int i = 0; i < 3; ++i)
+    {
+        const gp_Vec2d way(corners[i], corners[(i + 1) % 3]);
+        const double before = i == 1 ? overrun : 0.0, after = i == 0 || i == 1 ? overrun : 0.0;
+        TopoDS_Edge edge;
+        builder.MakeEdge(edge);
+        builder.UpdateEdge(edge, new Geom2d_Line(corners[i].Translated(-before * way), gp_Dir2d(way)), surface,
+                           TopLoc_Location(), 1e-7);
+        builder.Add(edge, TopoDS::Vertex(vertices[i].Oriented(TopAbs_FORWARD)));
+        builder.Add(edge, TopoDS::Vertex(vertices[(i + 1) % 3].Oriented(TopAbs_REVERSED)));
+        builder.Range(edge, surface, TopLoc_Location(), 0.0, (1.0 + before + after) * way.Magnitude());
+        BRepLib::BuildCurve3d(edge, 1e-7);
+        builder.Add(wire, edge);
+    }
+    TopoDS_Face face;
+    builder.MakeFace(face, surface, 1e-7);
+    builder.Add(face, wire);
+    return face;
+}
+
+TEST(Robustness, EdgesMayCrossInsideAVertexOfTheBase)
+{
+    for (const double overrun : {2e-7, 1e-5, 1e-4})
+        for (const double distance : {3.0, -3.0})
+        {
+            SCOPED_TRACE(testing::Message() << "overrun " << overrun << " distance " << distance);
+            const double wide = 400.0 * overrun; // the triangle's sides are some 120 mm long
+            const TopoDS_Face base = with_crossing_corners(sheet(), overrun, wide);
+            ASSERT_TRUE(BRepCheck_Analyzer(base).IsValid());
+            const auto result = offset(base, distance, 1e-3);
+            ASSERT_TRUE(result.ok()) << why(result);
+            EXPECT_TRUE(BRepCheck_Analyzer(result.value().shape).IsValid());
+            ASSERT_TRUE(result.value().report.edge_error);
+            EXPECT_LE(*result.value().report.edge_error, 1e-3) << "curves are as near as ever";
+            for (TopExp_Explorer it(result.value().shape, TopAbs_VERTEX); it.More(); it.Next())
+                EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())), wide + 1e-3);
+            if (overrun < 1e-5) // the edges' own tolerances hold that
+                continue;
+            const auto narrow = offset(with_crossing_corners(sheet(), overrun, 1e-7), distance, 1e-3);
+            ASSERT_FALSE(narrow.ok()) << "no vertex of the base holds the crossing";
+            EXPECT_EQ(narrow.failure().status, Status::InvalidResult);
+        }
 }

@@ -8,6 +8,7 @@
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -23,12 +24,17 @@ namespace
 // Tolerances stand above proven bounds by rounding only, and well above what was merely seen at samples.
 constexpr double proven_margin = 1.0 + 1e-12;
 constexpr double sampled_margin = 1.1;
+// Edges of a rough base may cross beside a vertex, inside its tolerance. Then the offset's vertices get as much of that
+// tolerance as its validity needs: this [mm], and so many times more at each attempt.
+constexpr double first_allowance = 1e-6;
+constexpr double allowance_growth = 10.0;
 
 class FaceBuilder
 {
 public:
-    FaceBuilder(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops)
-        : m_input(input), m_surface(surface), m_loops(loops)
+    //! \param allowance vertices may have the tolerance of the base's up to this, though their edges need less [mm].
+    FaceBuilder(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops, double allowance = 0.0)
+        : m_input(input), m_surface(surface), m_loops(loops), m_allowance(allowance)
     {
     }
 
@@ -126,13 +132,13 @@ private:
     }
 
     //! In the middle of the edge ends that meet there, with a tolerance that holds them all.
-    TopoDS_Vertex make_vertex(const EdgeEnds &ends)
+    TopoDS_Vertex make_vertex(const EdgeEnds &ends, const TopoDS_Vertex &base)
     {
         gp_XYZ sum(0.0, 0.0, 0.0);
         for (const EdgeEnd &end : ends)
             sum += end.point.XYZ();
         const gp_Pnt middle(sum / static_cast<double>(ends.size()));
-        double tolerance = Precision::Confusion();
+        double tolerance = std::max(Precision::Confusion(), std::min(m_allowance, BRep_Tool::Tolerance(base)));
         for (const EdgeEnd &end : ends)
             tolerance = std::max(
                 {tolerance, end.tolerance, proven_margin * middle.Distance(end.point) + Precision::Confusion()});
@@ -144,11 +150,13 @@ private:
     void make_vertices()
     {
         m_vertices.resize(m_loops.edges.size());
+        int index = 0;
         for (const EdgeEnds &at_base_vertex : ends_at_base_vertices())
         {
+            const TopoDS_Vertex base = TopoDS::Vertex(m_base_vertices(++index));
             for (const EdgeEnds &meeting : meeting_ends(at_base_vertex))
             {
-                const TopoDS_Vertex vertex = make_vertex(meeting);
+                const TopoDS_Vertex vertex = make_vertex(meeting, base);
                 for (const EdgeEnd &end : meeting)
                     (end.last ? m_vertices[end.edge].last : m_vertices[end.edge].first) = vertex;
             }
@@ -222,6 +230,7 @@ private:
     const InputFace &m_input;
     const OffsetSurface &m_surface;
     const TrimLoops &m_loops;
+    double m_allowance;
     BRep_Builder m_builder;
     struct EndVertices
     {
@@ -282,6 +291,15 @@ std::optional<Where> touching_place(const InputFace &input)
     return std::nullopt;
 }
 
+//! The largest tolerance of a vertex [mm].
+double roughest_vertex(const TopoDS_Face &face)
+{
+    double roughest = 0.0;
+    for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
+        roughest = std::max(roughest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+    return roughest;
+}
+
 Failure not_valid(const InputFace &input)
 {
     Failure failure{Status::InvalidResult, Stage::Topology,
@@ -304,8 +322,14 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
                                FaceCheck check)
 {
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
-    if (check == FaceCheck::None || valid(face, loops))
+    const double rough = roughest_vertex(input.face);
+    if (check == FaceCheck::None && rough < first_allowance)
         return face;
+    if (valid(face, loops))
+        return face;
+    for (double allowance = first_allowance; allowance < allowance_growth * rough; allowance *= allowance_growth)
+        if (const TopoDS_Face tolerant = FaceBuilder(input, surface, loops, allowance).build(); valid(tolerant, loops))
+            return tolerant;
     return not_valid(input);
 }
 
