@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <deque>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -153,7 +154,7 @@ private:
     }
 
     std::vector<gp_Pnt> m_corners;
-    std::vector<GeomAPI_ProjectPointOnCurve> m_curves;
+    std::deque<GeomAPI_ProjectPointOnCurve> m_curves; // which must stay where they are: they point into themselves
 };
 
 struct Row
