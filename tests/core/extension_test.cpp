@@ -17,6 +17,7 @@
 #include <GProp_GProps.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomConvert.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -27,6 +28,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Pln.hxx>
@@ -299,6 +301,41 @@ TEST(ExtendFace, CarriesASeamAlong)
     expect_sides(result.value().report, 6.0, 2);
     EXPECT_TRUE(BRepCheck_Analyzer(result.value().face).IsValid());
     expect_refused(tube, by(6.0), Status::SelfIntersection, Stage::Extension);
+}
+
+TEST(ExtendFace, GoesOnFromTheDomainsEndWhereLoopsHangOverIt)
+{
+    TColgp_Array1OfPnt poles(1, 4);
+    for (int i = 1; i <= 4; ++i)
+        poles(i) = gp_Pnt(20.0 * i, 0.0, i % 2 == 0 ? 6.0 : 0.0);
+    const Handle(Geom_Surface) sweep = new Geom_SurfaceOfLinearExtrusion(new Geom_BezierCurve(poles), gp::DY());
+    const Handle(Geom_Surface) spline =
+        GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(sweep, 0.0, 1.0, 0.0, 50.0));
+    for (const Handle(Geom_Surface) & surface : {sweep, spline})
+        for (const double over : {5e-6, 1e-8})
+            for (const Continuity continuity : {Continuity::G1, Continuity::Natural})
+            {
+                SCOPED_TRACE(testing::Message() << surface->DynamicType()->Name() << " over by " << over);
+                const TopoDS_Face face = rectangle_on(surface, -over, 1.0 + over, 0.0, 50.0);
+                const auto result = extend_face(face, by(4.0, {Side::UMin, Side::UMax}, continuity));
+                ASSERT_TRUE(result.ok()) << result.failure().message;
+                expect_sides(result.value().report, 4.0, 2);
+                EXPECT_TRUE(BRepCheck_Analyzer(result.value().face).IsValid());
+            }
+}
+
+TEST(ExtendFace, GoesOnFromTheSeamOfAPeriodicSurface)
+{
+    const Handle(Geom_Surface) tube = wavy_tube(40.0); // its period in u is 12
+    for (const Continuity continuity : {Continuity::G1, Continuity::Natural})
+        for (const double start : {0.0, -1e-15, 4.0, 12.0})
+        {
+            SCOPED_TRACE(start);
+            const TopoDS_Face part = rectangle_on(tube, start, start + 8.0, 0.2, 2.5);
+            const auto result = extend_face(part, by(3.0, {Side::UMin, Side::UMax}, continuity));
+            ASSERT_TRUE(result.ok()) << result.failure().message;
+            expect_sides(result.value().report, 3.0, 2);
+        }
 }
 
 TEST(ExtendFace, RefusesWhatWouldMeetItself)

@@ -10,13 +10,9 @@
 #include <Geom_SphericalSurface.hxx>
 #include <laminate_offset/offset_face.h>
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_Line.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -38,22 +34,6 @@ TopoDS_Face whole(const Handle(Geom_Surface) & surface) { return BRepBuilderAPI_
 Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face &face)
 {
     return Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face));
-}
-
-//! A rectangle of parameters as four edges, of which two may coincide in space without knowing it.
-TopoDS_Face rectangle_on(const Handle(Geom_Surface) & surface, const Rectangle &box)
-{
-    const gp_Pnt2d corners[] = {{box.u0, box.v0}, {box.u1, box.v0}, {box.u1, box.v1}, {box.u0, box.v1}};
-    BRepBuilderAPI_MakeWire wire;
-    for (int i = 0; i < 4; ++i)
-    {
-        const gp_Vec2d way(corners[i], corners[(i + 1) % 4]);
-        const TopoDS_Edge edge =
-            BRepBuilderAPI_MakeEdge(new Geom2d_Line(corners[i], gp_Dir2d(way)), surface, 0.0, way.Magnitude());
-        BRepLib::BuildCurve3d(edge);
-        wire.Add(edge);
-    }
-    return BRepBuilderAPI_MakeFace(surface, wire.Wire(), true);
 }
 
 //! A spline within the tolerance of S + d N over the whole face, with a report that says nothing better than the
@@ -250,7 +230,7 @@ TEST(FittedOffset, OfLoopsAllTheWayRoundThatOverlapByWhatTheirEndsMissEachOther)
             for (const double distance : {2.0, -2.0})
             {
                 SCOPED_TRACE(testing::Message() << "overlap " << overlap << " from " << start);
-                const TopoDS_Face base = rectangle_on(tube, {start, start + 12.0 + overlap, 0.2, 2.5});
+                const TopoDS_Face base = rectangle_on(tube, start, start + 12.0 + overlap, 0.2, 2.5);
                 EXPECT_GT(expect_fitted(base, distance, 1e-3), 0);
                 const auto result = offset(base, distance, 1e-3);
                 ASSERT_TRUE(result.ok() && result.value().report.certified_error);

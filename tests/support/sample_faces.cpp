@@ -6,6 +6,7 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepLib.hxx>
 #include <Geom2d_Ellipse.hxx>
+#include <Geom2d_Line.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -88,6 +89,21 @@ Handle(Geom_BSplineSurface) wavy_tube(double radius)
     mv.Init(1);
     mv(1) = mv(v.Length()) = 4;
     return new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3, true, false);
+}
+
+TopoDS_Face rectangle_on(const Handle(Geom_Surface) & surface, double u0, double u1, double v0, double v1)
+{
+    const gp_Pnt2d corners[] = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+    BRepBuilderAPI_MakeWire wire;
+    for (int i = 0; i < 4; ++i)
+    {
+        const gp_Vec2d way(corners[i], corners[(i + 1) % 4]);
+        const TopoDS_Edge edge =
+            BRepBuilderAPI_MakeEdge(new Geom2d_Line(corners[i], gp_Dir2d(way)), surface, 0.0, way.Magnitude());
+        BRepLib::BuildCurve3d(edge);
+        wire.Add(edge);
+    }
+    return BRepBuilderAPI_MakeFace(surface, wire.Wire(), true);
 }
 
 TopoDS_Face panel_with_hole()

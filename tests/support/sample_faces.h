@@ -19,6 +19,10 @@ Handle(Geom_BSplineSurface) height_surface(const std::function<double(double, do
 //! A tube round the z axis whose radius varies smoothly by 8 percent, as a spline of degree 3, periodic in u.
 Handle(Geom_BSplineSurface) wavy_tube(double radius);
 
+//! A rectangle of parameters as four edges. They may hang over the ends of the surface's domain, and two may coincide in
+//! space without knowing it.
+TopoDS_Face rectangle_on(const Handle(Geom_Surface) & surface, double u0, double u1, double v0, double v1);
+
 //! A doubly curved spline panel of 800 x 500 with an elliptic hole: 2 loops, 5 edges, normal upwards (+z).
 //! Its radii of curvature are above 300 on both sides.
 TopoDS_Face panel_with_hole();

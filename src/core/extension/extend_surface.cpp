@@ -93,6 +93,24 @@ gp_Pnt2d place_at(Side side, double t, double other) { return along_u(side) ? gp
 
 gp_Pnt point_at(const Geom_Surface &surface, const gp_Pnt2d &uv) { return surface.Value(uv.X(), uv.Y()); }
 
+//! Loops may hang over the ends of the surface's domain by what their pcurves miss them.
+ParameterBox inside(const Geom_Surface &surface, ParameterBox box)
+{
+    double u0, u1, v0, v1;
+    surface.Bounds(u0, u1, v0, v1);
+    if (!surface.IsUPeriodic())
+    {
+        box.umin = std::max(box.umin, u0);
+        box.umax = std::min(box.umax, u1);
+    }
+    if (!surface.IsVPeriodic())
+    {
+        box.vmin = std::max(box.vmin, v0);
+        box.vmax = std::min(box.vmax, v1);
+    }
+    return box;
+}
+
 //! The spline in the parameters of the rectangle: a periodic one is cut to it.
 TensorSpline spline_over(const Handle(Geom_BSplineSurface) & surface, const ParameterBox &box)
 {
@@ -156,8 +174,8 @@ class SurfaceExtender
 {
 public:
     SurfaceExtender(const SurfaceToExtend &base, const ExtensionOptions &options)
-        : m_input(base.input), m_options(options), m_surface(plain(base.surface)), m_base(base.input.box),
-          m_box(base.input.box)
+        : m_input(base.input), m_options(options), m_surface(plain(base.surface)),
+          m_base(inside(*m_surface, base.input.box)), m_box(m_base)
     {
     }
 
@@ -400,7 +418,14 @@ private:
              : spline->LocateV(join, Precision::PConfusion(), low, high);
         if (low != high)
             return across(surface, side, join, other);
-        const int from = at_end(side) ? low - 1 : low;
+        const int count = in_u ? spline->NbUKnots() : spline->NbVKnots();
+        int from = at_end(side) ? low - 1 : low;
+        if (from < 1 || from >= count) // a whole turn away, on a periodic surface
+        {
+            from = from < 1 ? count - 1 : 1;
+            const int knot = at_end(side) ? from + 1 : from;
+            join = in_u ? spline->UKnot(knot) : spline->VKnot(knot);
+        }
         int other_low = 0;
         int other_high = 0;
         in_u ? spline->LocateV(other, Precision::PConfusion(), other_low, other_high)
