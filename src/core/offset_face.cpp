@@ -202,7 +202,8 @@ private:
                 return one.failure();
             made.push_back(std::move(one).value());
         }
-        return joined(input, parts, made, {kind_of(edges_between(parts, made)), whole.surface.apart});
+        return joined(input, parts, made,
+                      {kind_of(edges_between(parts, made, seam_share * m_options.tolerance)), true});
     }
 
     //! What the parts of a creased face do to each other.
@@ -273,7 +274,7 @@ private:
             const bool moved = made[i].surface.parameter_map || made[i].surface.parameter_shift.Magnitude() > 0.0;
             analysed.push_back({parts[i], made[i].analysis, moved ? nullptr : made[i].surface.geometry});
         }
-        const std::vector<CreaseEdge> edges = edges_between(parts, made);
+        const std::vector<CreaseEdge> edges = edges_between(parts, made, m_options.tolerance);
         const Result<PartsApart> apart =
             check_part_meetings(analysed, edges, parts.front().from_surface(m_options.distance), m_options.tolerance,
                                 Between::Nothing, m_meeting_remedy);
@@ -282,13 +283,15 @@ private:
         return Creases{kind_of(edges), apart.value().settled};
     }
 
-    std::vector<CreaseEdge> edges_between(const std::vector<InputFace> &parts, const std::vector<Made> &made)
+    //! \param tolerance parts that tear by less than half of it neither open nor cross [mm].
+    std::vector<CreaseEdge> edges_between(const std::vector<InputFace> &parts, const std::vector<Made> &made,
+                                          double tolerance)
     {
         enter(Stage::Surface);
         std::vector<CreasedPart> creased;
         for (std::size_t i = 0; i < made.size(); ++i)
             creased.push_back({parts[i], made[i].analysis.base});
-        return crease_edges(creased, parts.front().from_surface(m_options.distance), m_options.tolerance);
+        return crease_edges(creased, parts.front().from_surface(m_options.distance), tolerance);
     }
 
     //! What would work for one part has to work for the others too.

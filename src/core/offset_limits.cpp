@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "offset_limits.h"
 
-#include "analysis/creases.h"
 #include "analysis/surface_analysis.h"
 #include "base/options.h"
 #include "input/input_face.h"
@@ -11,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <vector>
 
 namespace laminate_offset
 {

@@ -538,6 +538,8 @@ TEST(CreasedFace, ASeamThatIsSmoothEnoughStaysClosed)
             EXPECT_NEAR(*result.value().report.gap, std::abs(distance) * angle,
                         0.02 * std::abs(distance) * angle + 1e-6);
             EXPECT_TRUE(result.value().report.apart);
+            ASSERT_TRUE(result.value().report.crease);
+            EXPECT_EQ(*result.value().report.crease, distance > 0.0 ? CreaseKind::Gap : CreaseKind::Overlap);
             expect_one_surface(parts_of(result.value().shape), 3.0, angle < 1e-3);
         }
     }

@@ -226,6 +226,34 @@ TEST(ExactOffset, PastItsAxisATorusEndsWhereItsTubeReachesTheAxisAndGrowsWithout
         }
 }
 
+TEST(ExactOffset, DomesAndTipsThatEndOnTheAxisDoNotDependOnTheLastBit)
+{
+    const double on_axis = std::acos(-8.0 / 55.0), apex = -12.0 / std::sin(0.4);
+    const Handle(Geom_Surface) lemon = new Geom_ToroidalSurface(gp_Ax3(), 8.0, 55.0);
+    const Handle(Geom_Surface) cone = new Geom_ConicalSurface(gp_Ax3(), 0.4, 12.0);
+    for (const double over : {0.0, 1e-15, -1e-15, 1e-12, 1e-10, -1e-10})
+    {
+        SCOPED_TRACE(over);
+        // S_u x S_v points towards the tube's inside past the axis, and away from a cone's axis on both nappes
+        const std::pair<TopoDS_Face, double> cases[] = {{face_on(lemon, {0.0, 2.0 * M_PI, on_axis - over, M_PI}), -1.0},
+                                                        {face_on(lemon, {0.0, 2.0 * M_PI, 0.5, on_axis + over}), -1.0},
+                                                        {face_on(cone, {0.0, 2.0 * M_PI, apex - over, 5.0}), 1.0},
+                                                        {face_on(cone, {0.0, 2.0 * M_PI, -60.0, apex + over}), 1.0}};
+        for (const auto &[face, open] : cases)
+        {
+            OffsetOptions options;
+            options.distance = 0.5 * open;
+            const Result<OffsetResult> made = offset_face(face, options);
+            ASSERT_TRUE(made.ok()) << made.failure().message;
+            // a circle of 1e-10 mm past the axis has a normal of its own, which the measure takes at its word
+            if (over < 1e-11)
+                EXPECT_TRUE(confirms(measure_offset(face, made.value().face(), options.distance, {30, 30}), 1e-6));
+            options.distance = -options.distance;
+            EXPECT_FALSE(offset_face(face, options).ok()) << "the tip closes up";
+        }
+    }
+}
+
 TEST(ExactOffset, AFaceOfATorusAcrossItsAxisIsRefused)
 {
     const Handle(Geom_Surface) lemon = new Geom_ToroidalSurface(frame(true), 8.0, 55.0);

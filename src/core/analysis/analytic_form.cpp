@@ -29,8 +29,6 @@ constexpr double same = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr double meant_on_axis_share = 1e-6;
 // A revolved line that rises less than this is a disc, whose parameters no plane has.
 constexpr double least_rise = 1e-6;
-// A cone's radius above zero that is an apex, as part of its largest one.
-constexpr double at_apex = 1e-12;
 
 Handle(Geom_Curve) untrimmed(Handle(Geom_Curve) curve)
 {
@@ -215,20 +213,21 @@ AnalyticForm on_near_nappe(const AnalyticForm &far, const Geom_ConicalSurface &c
 }
 
 //! Are the cone's radii negative all over the box, but for an apex?
-bool past_apex(const AnalyticForm &form, const Geom_ConicalSurface &cone)
+bool past_apex(const AnalyticForm &form, const Geom_ConicalSurface &cone, double on_axis)
 {
     const auto radius = [&](double v) { return cone.RefRadius() + v * std::sin(cone.SemiAngle()); };
     const double at_low = radius(form.box.vmin), at_high = radius(form.box.vmax);
-    return std::max(at_low, at_high) < at_apex * std::max(std::abs(at_low), std::abs(at_high));
+    return std::max(at_low, at_high) < on_axis && std::min(at_low, at_high) < -on_axis;
 }
 
-bool past_axis(const AnalyticForm &form, const Geom_ToroidalSurface &torus)
+//! The same of a torus, but for a point on the axis.
+bool past_axis(const AnalyticForm &form, const Geom_ToroidalSurface &torus, double on_axis)
 {
     const ParameterBox &box = form.box;
     const double turn = 2.0 * M_PI;
     const double outermost = turn * std::ceil(box.vmin / turn);
     const double cosine = outermost <= box.vmax ? 1.0 : std::max(std::cos(box.vmin), std::cos(box.vmax));
-    return torus.MajorRadius() + torus.MinorRadius() * cosine < 0.0;
+    return torus.MajorRadius() + torus.MinorRadius() * cosine < on_axis && torus.MinorRadius() > torus.MajorRadius();
 }
 
 } // namespace
@@ -238,14 +237,15 @@ std::optional<AnalyticForm> analytic_form(const InputFace &input)
     std::optional<AnalyticForm> form = form_of(input.surface, input.box);
     if (!form)
         return std::nullopt;
+    const double on_axis = axis_slack * input.diagonal;
     const gp_Vec2d &shift = form->shift;
     form->box = {input.box.umin + shift.X(), input.box.umax + shift.X(), input.box.vmin + shift.Y(),
                  input.box.vmax + shift.Y()};
     if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form->surface);
-        !cone.IsNull() && past_apex(*form, *cone))
+        !cone.IsNull() && past_apex(*form, *cone, on_axis))
         form = on_near_nappe(*form, *cone);
     if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(form->surface); !torus.IsNull())
-        form->past_axis = past_axis(*form, *torus);
+        form->past_axis = past_axis(*form, *torus, on_axis);
     const bool direct = Handle(Geom_ElementarySurface)::DownCast(form->surface)->Position().Direct();
     form->normal_sign = direct != form->past_axis ? 1.0 : -1.0;
     return form;

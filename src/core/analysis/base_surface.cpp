@@ -126,7 +126,7 @@ void widen(double &low, double &high, double first, double last, bool periodic)
     const double extra = margin * (high - low);
     if (periodic)
     {
-        // loops all the way round may overlap by what their ends miss each other: beyond a period there is nothing to add
+        // loops all the way round may overlap by a little (read_face): beyond a period there is nothing to add
         const double room = std::min(extra, 0.5 * (last - first - (high - low)));
         low -= room;
         high += room;

@@ -80,13 +80,13 @@ ClosedLimits limits_past_axis(const AnalyticForm &form, const Geom_ToroidalSurfa
 {
     LimitWriter writer(form);
     const double v = std::cos(form.box.vmin) > std::cos(form.box.vmax) ? form.box.vmin : form.box.vmax;
-    writer.inwards(torus.MinorRadius() + torus.MajorRadius() / std::cos(v), form.box.umin, v);
+    writer.inwards(std::max(0.0, torus.MinorRadius() + torus.MajorRadius() / std::cos(v)), form.box.umin, v);
     return writer.limits();
 }
 
 //! The tube ends at its own radius and, on the inner side, where it reaches the axis: R + (r + d) cos v = 0. A face that goes
-//! through the axis has none.
-ClosedLimits limits_of_torus(const AnalyticForm &form, const Geom_ToroidalSurface &torus)
+//! through the axis can be offset to neither side.
+ClosedLimits limits_of_torus(const AnalyticForm &form, const Geom_ToroidalSurface &torus, double tiny)
 {
     if (form.past_axis)
         return limits_past_axis(form, torus);
@@ -101,19 +101,18 @@ ClosedLimits limits_of_torus(const AnalyticForm &form, const Geom_ToroidalSurfac
         return writer.limits();
     const double room = -torus.MajorRadius() / cosine - torus.MinorRadius();
     writer.outwards(std::max(0.0, room), box.umin, v);
-    if (room <= 0.0)
+    if (room < -tiny)
         writer.inwards(0.0, box.umin, v);
     return writer.limits();
 }
 
-//! A cone ends where its tight end closes up. A face that goes through the apex has no limits.
-ClosedLimits limits_of_cone(const AnalyticForm &form, const Geom_ConicalSurface &cone, double diagonal)
+//! A cone ends where its tight end closes up. A face that goes through the apex can be offset to neither side.
+ClosedLimits limits_of_cone(const AnalyticForm &form, const Geom_ConicalSurface &cone, double tiny)
 {
     LimitWriter writer(form);
     const auto radius = [&](double v) { return cone.RefRadius() + v * std::sin(cone.SemiAngle()); };
     const double v = radius(form.box.vmin) < radius(form.box.vmax) ? form.box.vmin : form.box.vmax;
     writer.inwards(std::max(0.0, radius(v)) / std::cos(cone.SemiAngle()), form.box.umin, v);
-    const double tiny = 1e-9 * diagonal;
     if (radius(v) < -tiny)
         writer.outwards(0.0, form.box.umin, v);
     return writer.limits();
@@ -126,14 +125,15 @@ std::optional<ClosedLimits> closed_limits(const InputFace &input)
     const std::optional<AnalyticForm> form = analytic_form(input);
     if (!form)
         return std::nullopt;
+    const double tiny = axis_slack * input.diagonal;
     if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(form->surface))
         return limits_of_round(*form, cylinder->Radius());
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(form->surface))
         return limits_of_sphere(*form, *sphere);
     if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(form->surface))
-        return limits_of_cone(*form, *cone, input.diagonal);
+        return limits_of_cone(*form, *cone, tiny);
     if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(form->surface))
-        return limits_of_torus(*form, *torus);
+        return limits_of_torus(*form, *torus, tiny);
     return ClosedLimits{};
 }
 

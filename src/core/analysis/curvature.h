@@ -48,7 +48,7 @@ struct CurvatureSearch
 {
     //! [mm] along S_u x S_v. The search for that side's extreme goes on until it is decided whether
     //! 1 / distance lies beyond it, and the limits are left wide (but proven) soon after; the other side
-    //! is looked at no longer than that. 0: the limits themselves are wanted.
+    //! is looked at until it is known to about one half. 0: the limits themselves are wanted.
     double distance = 0.0;
     double gap = 1e-3;   //!< relative width between proven and attained at which a search ends
     double extent = 1.0; //!< [mm] size of the face; radii above a hundred extents are not pinned down

@@ -93,7 +93,15 @@ gp_Pnt2d place_at(Side side, double t, double other) { return along_u(side) ? gp
 
 gp_Pnt point_at(const Geom_Surface &surface, const gp_Pnt2d &uv) { return surface.Value(uv.X(), uv.Y()); }
 
-//! Loops may hang over the ends of the surface's domain by what their pcurves miss them.
+// Loops may hang over the ends of the surface's domain by what their pcurves miss them, as part of the domain.
+constexpr double most_overhang = 1e-5;
+
+double overhang(double low, double high, double first, double last, bool periodic)
+{
+    return periodic ? 0.0 : std::max(first - low, high - last) / (last - first);
+}
+
+//! The rectangle inside of the surface's own domain.
 ParameterBox inside(const Geom_Surface &surface, ParameterBox box)
 {
     double u0, u1, v0, v1;
@@ -181,6 +189,15 @@ public:
 
     Result<ExtendedSurface> run()
     {
+        double u0, u1, v0, v1;
+        m_surface->Bounds(u0, u1, v0, v1);
+        const ParameterBox &box = m_input.box;
+        if (std::max(overhang(box.umin, box.umax, u0, u1, m_surface->IsUPeriodic()),
+                     overhang(box.vmin, box.vmax, v0, v1, m_surface->IsVPeriodic())) > most_overhang)
+            return refusal(Status::InvalidFace,
+                           "The trimming loops leave the surface's own domain, past which there is nothing to extend; "
+                           "repair the face.",
+                           m_input.loops.front().curves.front().pieces.front().start);
         for (const Side side : all_sides)
         {
             if (std::find(m_options.sides.begin(), m_options.sides.end(), side) == m_options.sides.end())

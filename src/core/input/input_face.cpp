@@ -303,6 +303,26 @@ Result<bool> check_closed_in_parameters(const InputFace &input)
     return true;
 }
 
+//! Loops all the way round a spline overlap by what their ends miss each other, not by more: what they enclose twice has no
+//! meaning.
+Result<bool> check_turns(const InputFace &input)
+{
+    constexpr double most_overlap = 1e-5; // part of a period
+    const auto spline = Handle(Geom_BSplineSurface)::DownCast(input.surface);
+    if (spline.IsNull())
+        return true;
+    double u0, u1, v0, v1;
+    spline->Bounds(u0, u1, v0, v1);
+    const ParameterBox &box = input.box;
+    const bool u = spline->IsUPeriodic() && box.umax - box.umin > (u1 - u0) * (1.0 + most_overlap);
+    const bool v = spline->IsVPeriodic() && box.vmax - box.vmin > (v1 - v0) * (1.0 + most_overlap);
+    if (!u && !v)
+        return true;
+    return refusal_at(Status::InvalidFace,
+                      "The trimming loops go round the closed surface more than once; repair the face, or split it.",
+                      input, {box.umin, box.vmin});
+}
+
 //! A swept arc whose loops run beside its ends, as those of an arc over its circle's zero may do by a whole turn: the curve that
 //! the arc is a part of has the same parameters, and room for the loops.
 void untrim_profile(InputFace &input)
@@ -359,6 +379,8 @@ Result<InputFace> read_checked(const TopoDS_Face &face)
         return measured.failure();
     if (const Result<bool> closed = check_closed_in_parameters(input); !closed)
         return closed.failure();
+    if (const Result<bool> once = check_turns(input); !once)
+        return once.failure();
     untrim_profile(input);
     return input;
 }

@@ -25,8 +25,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int scalar_depth = 6;
 constexpr int geometric_depth = 24;
 // Rectangles that one piece may be cut into. One that needs more waves about its target, or about a distance that is smaller
-// still: a closer fit is proven sooner (34 s of proofs became 1.2 s).
-constexpr int most_steps = 200;
+// still: a closer fit is proven sooner (34 s of proofs became 2 s).
+constexpr int most_steps = 400;
 // A border row of S_u x S_v this small against its largest coefficient is a collapsed side.
 constexpr double collapsed = 1e-11;
 // Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction, halved

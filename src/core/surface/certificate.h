@@ -10,7 +10,7 @@
 //! counts only while it can change nowhere on the rectangle.
 //! Where S_u x S_v vanishes on a border (poles, collapsed sides) the factor is divided out and
 //! |w_t| = |w x M| / |M| is used instead. Rectangles are halved, across the direction in which S_u x S_v changes more, until
-//! the bound passes. Normals are
+//! the bound passes, 400 of them a piece at most. Normals are
 //! one-sided by construction, because every rectangle is one polynomial piece. All bounds are inflated
 //! for rounding.
 #pragma once

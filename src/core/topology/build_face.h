@@ -20,13 +20,15 @@ enum class FaceCheck
 {
     Whole, //!< BRepCheck_Analyzer's verdict
     None   //!< for members of a family: edges and vertices are proven to be near enough, and the loops in parameters,
-           //!< on which all else depends, are those of two members that were checked
+    //!< on which all else depends, are those of two members that were checked. On a rough base, whose vertices may
+    //!< hide that edges cross, every member is checked all the same
 };
 
 //! Builds the face with the base's loops, edge order, orientations and location, and checks it.
 //! A vertex of the base becomes several where an edge that is a point on the base opens up between them.
 //! Vertex and edge tolerances are those that the geometry shows, never less than OpenCASCADE's
-//! resolution.
+//! resolution. Where that makes no valid face, because edges of the base cross inside its vertices, vertices get as much of
+//! the base's vertex tolerance as it takes.
 //! Refusal: InvalidResult.
 Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops,
                                FaceCheck check = FaceCheck::Whole);

@@ -12,8 +12,8 @@ namespace laminate_offset
 
 Result<bool> check_edges(const InputFace &input, const OffsetSurface &surface, const TrimLoops &loops, double tolerance)
 {
-    const std::optional<double> error = loops.edge_error(surface.certified_error);
-    if (!error || *error <= tolerance)
+    const double error = loops.edge_error(surface.certified_error).value_or(loops.sampled_error());
+    if (error <= tolerance)
         return true;
     const auto deviation = [](const OffsetEdge &edge) {
         return edge.own_parameters ? edge.offset_error.value_or(0.0) : edge.deviation.bound;
@@ -31,7 +31,7 @@ Result<bool> check_edges(const InputFace &input, const OffsetSurface &surface, c
         fmt::format(
             "The edge at the reported place is off by up to {:.3g} mm, because the base does not close there any "
             "better; loosen the tolerance or repair the base's seam.",
-            *error),
+            error),
         input.place(uv), std::nullopt};
 }
 

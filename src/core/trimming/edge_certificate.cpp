@@ -25,9 +25,9 @@ constexpr int points_per_degree = 3;
 constexpr int deepest = 48;
 constexpr int most_intervals = 5000;
 constexpr double nearest_cut = 1e-6;
-// A pcurve may leave the surface's domain by this part of it, as loops all the way round do by what their ends miss each
-// other: the last polynomials go on there, and what that costs is counted as straying.
-constexpr double admissible_overhang = 1e-4;
+// A pcurve may leave the surface's domain by this part of it: the last polynomials go on there. Beyond that nothing is known
+// of the surface's own error, and nothing is proven.
+constexpr double admissible_overhang = 1e-9;
 
 //! The polynomial that f is up to a remainder.
 struct Approximation
