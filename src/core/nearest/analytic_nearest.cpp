@@ -97,7 +97,8 @@ bool AnalyticNearest::admissible()
     {
         const double at_low = m_start.x() + m_v.low * m_along.x();
         const double at_high = m_start.x() + m_v.high * m_along.x();
-        m_two_sided = std::min(at_low, at_high) < 0.0;
+        // a tip that oversteps the apex by rounding has no other side
+        m_two_sided = std::min(at_low, at_high) < -rounding * std::max(std::abs(at_low), std::abs(at_high));
         reach = m_start.x() + std::max(std::abs(m_v.low), std::abs(m_v.high));
         size = std::max(width_v, std::max(std::abs(at_low), std::abs(at_high)) * std::min(width_u, 1.0));
     }
