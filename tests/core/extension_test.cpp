@@ -329,7 +329,7 @@ TEST(ExtendFace, RefusesLoopsThatLeaveTheDomain)
     const Handle(Geom_Surface) sheet = BRep_Tool::Surface(panel());
     double u0, u1, v0, v1;
     sheet->Bounds(u0, u1, v0, v1);
-    for (const double over : {1e-4, 0.02})
+    for (const double over : {2e-3, 0.02})
         expect_refused(rectangle_on(sheet, u0, u1 + over * (u1 - u0), v0, v1), by(4.0, {Side::UMax}),
                        Status::InvalidFace, Stage::Extension);
 }

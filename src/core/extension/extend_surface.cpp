@@ -94,11 +94,23 @@ gp_Pnt2d place_at(Side side, double t, double other) { return along_u(side) ? gp
 gp_Pnt point_at(const Geom_Surface &surface, const gp_Pnt2d &uv) { return surface.Value(uv.X(), uv.Y()); }
 
 // Loops may hang over the ends of the surface's domain by what their pcurves miss them, as part of the domain.
-constexpr double most_overhang = 1e-5;
+constexpr double most_overhang = 1e-3;
 
-double overhang(double low, double high, double first, double last, bool periodic)
+//! A place of the loops that leaves the domain by more than that. The loops' box would not do: it holds control points.
+std::optional<gp_Pnt2d> place_outside(const InputFace &input, const Geom_Surface &surface)
 {
-    return periodic ? 0.0 : std::max(first - low, high - last) / (last - first);
+    double u0, u1, v0, v1;
+    surface.Bounds(u0, u1, v0, v1);
+    const auto outside = [](double x, double first, double last, bool periodic) {
+        return !periodic && std::max(first - x, x - last) > most_overhang * (last - first);
+    };
+    for (const TrimmingLoop &loop : input.loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            for (const PcurvePiece &piece : curve.pieces)
+                if (outside(piece.start.X(), u0, u1, surface.IsUPeriodic()) ||
+                    outside(piece.start.Y(), v0, v1, surface.IsVPeriodic()))
+                    return piece.start;
+    return std::nullopt;
 }
 
 //! The rectangle inside of the surface's own domain.
@@ -189,15 +201,11 @@ public:
 
     Result<ExtendedSurface> run()
     {
-        double u0, u1, v0, v1;
-        m_surface->Bounds(u0, u1, v0, v1);
-        const ParameterBox &box = m_input.box;
-        if (std::max(overhang(box.umin, box.umax, u0, u1, m_surface->IsUPeriodic()),
-                     overhang(box.vmin, box.vmax, v0, v1, m_surface->IsVPeriodic())) > most_overhang)
+        if (const auto outside = place_outside(m_input, *m_surface))
             return refusal(Status::InvalidFace,
                            "The trimming loops leave the surface's own domain, past which there is nothing to extend; "
                            "repair the face.",
-                           m_input.loops.front().curves.front().pieces.front().start);
+                           *outside);
         for (const Side side : all_sides)
         {
             if (std::find(m_options.sides.begin(), m_options.sides.end(), side) == m_options.sides.end())
