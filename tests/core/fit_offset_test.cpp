@@ -10,14 +10,19 @@
 #include <Geom_SphericalSurface.hxx>
 #include <laminate_offset/offset_face.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BezierCurve.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 
 #include <gtest/gtest.h>
 
@@ -246,6 +251,39 @@ TEST(FittedOffset, OfLoopsAllTheWayRoundThatOverlapByWhatTheirEndsMissEachOther)
         EXPECT_EQ(twice.failure().status, Status::InvalidFace);
         EXPECT_EQ(twice.failure().stage, Stage::Input);
         EXPECT_TRUE(twice.failure().where.has_value());
+    }
+}
+
+TEST(FittedOffset, OfALoopWhoseControlPointsReachFartherThanATurn)
+{
+    // the left side is a parabola that touches u = 0 from the right, and the right side is u = 12, a period on
+    const Handle(Geom_BSplineSurface) tube = wavy_tube(60.0);
+    const gp_Pnt2d corners[] = {{0.5, 0.2}, {12.0, 0.2}, {12.0, 2.5}, {0.5, 2.5}};
+    BRepBuilderAPI_MakeWire wire;
+    for (int i = 0; i < 4; ++i)
+    {
+        const gp_Pnt2d &from = corners[i], &to = corners[(i + 1) % 4];
+        TColgp_Array1OfPnt2d poles(1, 3);
+        poles(1) = from;
+        poles(2) = i == 3 ? gp_Pnt2d(-0.5, 1.35) : gp_Pnt2d(0.5 * (from.XY() + to.XY()));
+        poles(3) = to;
+        const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(new Geom2d_BezierCurve(poles), tube);
+        BRepLib::BuildCurve3d(edge);
+        wire.Add(edge);
+    }
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube, wire.Wire(), true);
+    for (const double distance : {2.0, -2.0})
+    {
+        const auto result = offset(face, distance, 1e-3);
+        ASSERT_TRUE(result.ok()) << why(result);
+        const auto made = spline_of(result.value().face());
+        const double along = face.Orientation() == TopAbs_REVERSED ? -distance : distance;
+        EXPECT_LE(deviation(tube, made, {0.0, 12.0, 0.2, 2.5}, along, 61).largest, 1e-3);
+        EXPECT_LE(result.value().report.edge_error.value_or(1.0), 1e-3);
+        double u0, u1, v0, v1;
+        made->Bounds(u0, u1, v0, v1);
+        EXPECT_LE(u0, 1e-9) << "the surface covers the loop";
+        EXPECT_GE(u1, 12.0 - 1e-9);
     }
 }
 

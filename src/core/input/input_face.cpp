@@ -303,20 +303,38 @@ Result<bool> check_closed_in_parameters(const InputFace &input)
     return true;
 }
 
-//! Loops all the way round a spline overlap by what their ends miss each other, not by more: what they enclose twice has no
-//! meaning.
-Result<bool> check_turns(const InputFace &input)
+//! One direction of the loops' box on a periodic spline. The box holds control points: where it is wider than a period, the
+//! loops themselves need not be. They may overlap by what their ends miss each other.
+//! \return false where they go round more than once.
+bool limit_to_one_turn(const std::vector<TrimmingLoop> &loops, bool in_u, double period, double &low, double &high)
 {
     constexpr double most_overlap = 1e-5; // part of a period
+    if (high - low <= period)
+        return true;
+    double least = high, most = low;
+    for (const TrimmingLoop &loop : loops)
+        for (const TrimmingCurve &curve : loop.curves)
+            for (const PcurvePiece &piece : curve.pieces)
+            {
+                const double at = in_u ? piece.start.X() : piece.start.Y();
+                least = std::min(least, at);
+                most = std::max(most, at);
+            }
+    low = least;
+    high = most;
+    return high - low <= period * (1.0 + most_overlap);
+}
+
+Result<bool> check_turns(InputFace &input)
+{
     const auto spline = Handle(Geom_BSplineSurface)::DownCast(input.surface);
     if (spline.IsNull())
         return true;
     double u0, u1, v0, v1;
     spline->Bounds(u0, u1, v0, v1);
-    const ParameterBox &box = input.box;
-    const bool u = spline->IsUPeriodic() && box.umax - box.umin > (u1 - u0) * (1.0 + most_overlap);
-    const bool v = spline->IsVPeriodic() && box.vmax - box.vmin > (v1 - v0) * (1.0 + most_overlap);
-    if (!u && !v)
+    ParameterBox &box = input.box;
+    if ((!spline->IsUPeriodic() || limit_to_one_turn(input.loops, true, u1 - u0, box.umin, box.umax)) &&
+        (!spline->IsVPeriodic() || limit_to_one_turn(input.loops, false, v1 - v0, box.vmin, box.vmax)))
         return true;
     return refusal_at(Status::InvalidFace,
                       "The trimming loops go round the closed surface more than once; repair the face, or split it.",
