@@ -8,7 +8,6 @@
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -291,15 +290,6 @@ std::optional<Where> touching_place(const InputFace &input)
     return std::nullopt;
 }
 
-//! The largest tolerance of a vertex [mm].
-double roughest_vertex(const TopoDS_Face &face)
-{
-    double roughest = 0.0;
-    for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
-        roughest = std::max(roughest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
-    return roughest;
-}
-
 Failure not_valid(const InputFace &input)
 {
     Failure failure{Status::InvalidResult, Stage::Topology,
@@ -322,12 +312,10 @@ Result<TopoDS_Face> build_face(const InputFace &input, const OffsetSurface &surf
                                FaceCheck check)
 {
     const TopoDS_Face face = FaceBuilder(input, surface, loops).build();
-    const double rough = roughest_vertex(input.face);
-    if (check == FaceCheck::None && rough < first_allowance)
+    if ((check == FaceCheck::None && input.tolerance < first_allowance) || valid(face, loops))
         return face;
-    if (valid(face, loops))
-        return face;
-    for (double allowance = first_allowance; allowance < allowance_growth * rough; allowance *= allowance_growth)
+    const double enough = allowance_growth * input.tolerance;
+    for (double allowance = first_allowance; allowance < enough; allowance *= allowance_growth)
         if (const TopoDS_Face tolerant = FaceBuilder(input, surface, loops, allowance).build(); valid(tolerant, loops))
             return tolerant;
     return not_valid(input);
