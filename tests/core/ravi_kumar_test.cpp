@@ -564,6 +564,24 @@ TEST(RaviKumar, ExtendsTheSurfaceUnderLoopsAlongItsBorder)
         }
 }
 
+// The offset's parameters are chord lengths from zero, wherever those of the base and its loops begin.
+TEST(RaviKumar, ExtendsTheSurfaceWhereverTheParametersOfTheBaseBegin)
+{
+    const Handle(Geom_BSplineSurface) moved = hills();
+    TColStd_Array1OfReal u = moved->UKnots(), v = moved->VKnots();
+    for (Standard_Real &knot : u)
+        knot = 1e4 + 800.0 * knot;
+    for (Standard_Real &knot : v)
+        knot = -1e4 + 500.0 * knot;
+    moved->SetUKnots(u);
+    moved->SetVKnots(v);
+    for (const double distance : {-30.0, 30.0})
+    {
+        SCOPED_TRACE(testing::Message() << "distance " << distance);
+        expect_extended(whole(moved), by_ravi_kumar(whole(moved), distance, 1e-2, 30.0), distance, 30.0, 1e-2);
+    }
+}
+
 TEST(RaviKumar, ImagesGoOnWhereACurveLeavesTheUnextendedSurface)
 {
     const Result<InputFace> input = read_face(whole(hills()));

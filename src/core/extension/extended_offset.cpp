@@ -77,6 +77,7 @@ Result<ExtendedOffset> extend_offset(const InputFace &input, const OffsetSurface
                                      double length)
 {
     InputFace untrimmed = input;
+    untrimmed.loops.clear(); // they are in the base's parameters
     untrimmed.surface = offset.geometry;
     untrimmed.base_distance = 0.0;
     untrimmed.box = border_of(input, offset);
