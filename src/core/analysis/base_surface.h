@@ -22,6 +22,10 @@ struct SmoothnessBreak
 //! A point so near to an axis of revolution [mm] is meant to lie on it: files have rounded it.
 inline constexpr double meant_on_axis = 1e-7;
 
+//! A side whose poles miss each other by no more than this part of their largest coordinate is meant to be a point: their
+//! rounding alone keeps them apart, and turns the normals there.
+inline constexpr double meant_as_point = 1e-12;
+
 //! How far the spline that stands for the base may be from the base itself: proven bounds at equal
 //! parameters, rounding included. All zero where the spline is the base.
 struct ModelError

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Patches that run out into a tip whose poles files have rounded: the side is meant to be a point, and is made one.
+#include "support/offset_oracle.h"
+#include "support/offsets.h"
+
+#include <laminate_offset/analysis/base_surface.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace laminate_offset;
+using namespace test_support;
+
+namespace
+{
+
+struct Tip
+{
+    int order = 1;      //!< the width falls with this power of the distance from the tip
+    double noise = 0.0; //!< largest miss of the poles that are meant to coincide [mm]
+    bool along_v = false;
+    bool at_start = false;
+    double size = 20.0; //!< length of the patch [mm]
+};
+
+//! A bicubic patch over x from 0 to the size, bent along x and arched across, whose width vanishes at its end.
+Handle(Geom_BSplineSurface) patch(const Tip &tip)
+{
+    const double width[2][4] = {{1.0, 2.0 / 3.0, 1.0 / 3.0, 0.0}, {1.0, 1.0 / 3.0, 0.0, 0.0}};
+    const double arch[2][4] = {{1.0, 0.3, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
+    const double bend[4] = {0.0, 0.0, 0.05, 0.15};
+    const int k = tip.order - 1;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> part(-0.3, 0.3);
+    TColgp_Array2OfPnt poles(1, 4, 1, 4);
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+        {
+            const double noise = width[k][i] == 0.0 ? tip.noise / tip.size : 0.0;
+            const double across = 0.2 * width[k][i] * (j / 3.0 - 0.5);
+            const gp_XYZ point(i / 3.0, across, bend[i] + 0.03 * arch[k][i] * (j == 1 || j == 2));
+            poles(i + 1, j + 1) = gp_Pnt((point + gp_XYZ(part(random), part(random), part(random)) * noise) * tip.size);
+        }
+    const Handle(Geom_BSplineSurface) surface = GeomConvert::SurfaceToBSplineSurface(new Geom_BezierSurface(poles));
+    if (tip.at_start)
+        surface->UReverse();
+    if (tip.along_v)
+        surface->ExchangeUV();
+    return surface;
+}
+
+TopoDS_Face face_of(const Tip &tip) { return BRepBuilderAPI_MakeFace(patch(tip), 1e-7).Face(); }
+
+BaseSurface base_of(const Handle(Geom_BSplineSurface) & surface) { return {surface, {0.0, 1.0, 0.0, 1.0}}; }
+
+} // namespace
+
+TEST(ClosedSides, TipsThatFilesHaveRoundedAreOffset)
+{
+    constexpr double tolerance = 1e-3;
+    for (const int order : {1, 2})
+        for (const double noise : {0.0, 1e-14, 1e-13, 1e-11})
+            for (const bool along_v : {false, true})
+                for (const bool at_start : {false, true})
+                    for (const double distance : {-0.02, 0.02, order == 1 ? 0.3 : -0.03})
+                    {
+                        SCOPED_TRACE(testing::Message()
+                                     << "order " << order << " noise " << noise << " along v " << along_v
+                                     << " at start " << at_start << " distance " << distance);
+                        const TopoDS_Face base = face_of({order, noise, along_v, at_start});
+                        const auto made = offset(base, distance, tolerance);
+                        ASSERT_TRUE(made.ok()) << why(made);
+                        const OracleReport seen = measure_offset(base, made.value().face(), distance, {40, 40});
+                        EXPECT_TRUE(confirms(seen, tolerance));
+                        EXPECT_GT(seen.points, 1000);
+                        const auto certified = made.value().report.certified_error;
+                        ASSERT_TRUE(certified.has_value());
+                        EXPECT_LE(*certified, tolerance);
+                        EXPECT_LE(std::max(seen.surface_error, seen.converse_error), *certified);
+                    }
+}
+
+TEST(ClosedSides, HowFarTheSurfaceMovesIsToldAndNoLess)
+{
+    for (const int order : {1, 2})
+        for (const double noise : {1e-13, 1e-12, 1e-11})
+        {
+            SCOPED_TRACE(testing::Message() << "order " << order << " noise " << noise);
+            const Handle(Geom_BSplineSurface) surface = patch({order, noise});
+            const BaseSurface base = base_of(surface);
+            EXPECT_GT(base.model_error().point, 0.0);
+            EXPECT_LE(base.model_error().point, 2.0 * noise);
+            const TensorSpline &closed = *base.spline();
+            const double rounding = 1e-14;
+            for (double u = 0.0; u <= 1.0; u += 0.0625)
+                for (double v = 0.0; v <= 1.0; v += 0.125)
+                {
+                    const gp_Pnt point = surface->Value(u, v);
+                    const Eigen::Vector3d moved = closed.jets({u}, {v}, 0).front().s;
+                    EXPECT_LE((moved - Eigen::Vector3d(point.X(), point.Y(), point.Z())).norm(),
+                              base.model_error().point + rounding);
+                }
+            for (int j = 1; j < closed.v.pole_count(); ++j)
+                EXPECT_EQ(closed.pole(3, j), closed.pole(3, 0));
+        }
+}
+
+// A side that is short but no point keeps its poles.
+TEST(ClosedSides, ShortSidesStayAsTheyAre)
+{
+    for (const Tip &tip : {Tip{1, 1e-9}, Tip{2, 1e-5}, Tip{1, 1e-12, false, false, 0.02}})
+    {
+        SCOPED_TRACE(testing::Message() << "order " << tip.order << " noise " << tip.noise << " size " << tip.size);
+        const Handle(Geom_BSplineSurface) surface = patch(tip);
+        const BaseSurface base = base_of(surface);
+        EXPECT_EQ(base.model_error().point, 0.0);
+        const TensorSpline own = from_geom(surface);
+        for (std::size_t i = 0; i < own.poles.size(); ++i)
+            EXPECT_EQ(base.spline()->poles[i], own.poles[i]);
+    }
+}
