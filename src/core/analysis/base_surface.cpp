@@ -4,6 +4,7 @@
 #include "swept_model.h"
 
 #include "../spline/geom_values.h"
+#include "../spline/undo_rounding.h"
 
 #include <GeomAbs_Shape.hxx>
 #include <GeomAdaptor_Surface.hxx>
@@ -141,58 +142,6 @@ void widen(double &low, double &high, double first, double last, bool periodic)
         high = last;
 }
 
-Eigen::Vector3d point_of(const Eigen::Vector4d &pole) { return pole.head<3>() / pole.w(); }
-
-//! Makes every step-th pole from the first on one point, where they miss it by no more than \p near.
-//! \return how far they have moved [mm], nothing where they miss it by more.
-std::optional<double> close_row(std::vector<Eigen::Vector4d> &poles, std::size_t first, std::size_t step,
-                                std::size_t count, double near)
-{
-    const Eigen::Vector3d meant = point_of(poles[first]);
-    double moved = 0.0;
-    for (std::size_t k = 0; k < count; ++k)
-        moved = std::max(moved, (point_of(poles[first + k * step]) - meant).norm());
-    if (!(moved <= near))
-        return std::nullopt;
-    for (std::size_t k = 0; k < count; ++k)
-        poles[first + k * step].head<3>() = poles[first + k * step].w() * meant;
-    return moved;
-}
-
-//! Closes a side that is meant to be a point, and the rows behind it that are points as well: the surface runs out into a
-//! cusp there. \return how far the surface has moved [mm].
-double close_side(TensorSpline &spline, bool along_u, bool at_end, double near)
-{
-    const std::size_t nu = spline.u.pole_count();
-    const std::size_t nv = spline.v.pole_count();
-    const std::size_t rows = along_u ? nv : nu;
-    const std::size_t between = along_u ? 1 : nv;
-    const std::size_t step = along_u ? nv : 1;
-    double moved = 0.0;
-    for (std::size_t k = 0; k < rows; ++k)
-    {
-        const std::optional<double> here =
-            close_row(spline.poles, (at_end ? rows - 1 - k : k) * between, step, along_u ? nu : nv, near);
-        if (!here)
-            break;
-        moved = std::max(moved, *here);
-    }
-    return moved;
-}
-
-double close_sides(TensorSpline &spline)
-{
-    double extent = 0.0;
-    for (const Eigen::Vector4d &pole : spline.poles)
-        extent = std::max(extent, point_of(pole).cwiseAbs().maxCoeff());
-    const double near = meant_as_point * extent;
-    double moved = 0.0;
-    for (const bool along_u : {true, false})
-        for (const bool at_end : {false, true})
-            moved += close_side(spline, along_u, at_end, near);
-    return moved;
-}
-
 } // namespace
 
 std::vector<SmoothnessBreak> spline_breaks(const KnotVector &kv)
@@ -217,7 +166,9 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
             realign(m_spline->u, box.umin, box.umax);
         if (surface->IsVPeriodic())
             realign(m_spline->v, box.vmin, box.vmax);
-        m_model_error.point = close_sides(*m_spline);
+        const UndoneRounding undone = undo_rounding(*m_spline);
+        m_model_error.point = undone.moved;
+        m_rounding = undone.operations;
         m_box = {m_spline->u.front(), m_spline->u.back(), m_spline->v.front(), m_spline->v.back()};
         m_breaks_u = spline_breaks(m_spline->u);
         m_breaks_v = spline_breaks(m_spline->v);

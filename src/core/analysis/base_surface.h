@@ -22,10 +22,6 @@ struct SmoothnessBreak
 //! A point so near to an axis of revolution [mm] is meant to lie on it: files have rounded it.
 inline constexpr double meant_on_axis = 1e-7;
 
-//! A side whose poles miss each other by no more than this part of their largest coordinate is meant to be a point: their
-//! rounding alone keeps them apart, and turns the normals there.
-inline constexpr double meant_as_point = 1e-12;
-
 //! How far the spline that stands for the base may be from the base itself: proven bounds at equal
 //! parameters, rounding included. All zero where the spline is the base.
 struct ModelError
@@ -76,6 +72,9 @@ public:
     //! The base as a spline in the same parameters, or a spline within model_error() of it, if there is one.
     [[nodiscard]] const std::optional<TensorSpline> &spline() const { return m_spline; }
     [[nodiscard]] const ModelError &model_error() const { return m_model_error; }
+    //! How far the poles of spline() may be from those of the base, in units of rounding of their largest coordinates, where
+    //! that has consequences for its normals: certify() takes it.
+    [[nodiscard]] double rounding() const { return m_rounding; }
     //! Where there is one, curvatures are those of the strip, and model_error() says how near they are.
     [[nodiscard]] const std::optional<CurvatureStrip> &strip() const { return m_strip; }
     //! Interior breaks in increasing order.
@@ -104,6 +103,7 @@ private:
     ParameterBox m_box;
     std::optional<TensorSpline> m_spline;
     ModelError m_model_error;
+    double m_rounding = 0.0;
     std::optional<CurvatureStrip> m_strip;
     std::vector<SmoothnessBreak> m_breaks_u;
     std::vector<SmoothnessBreak> m_breaks_v;

@@ -30,6 +30,8 @@ constexpr double first_part = 0.5;
 constexpr double curvature_share = 5e-3;
 constexpr double flat_curvature = 1e-2;
 constexpr int most_rounds = 4;
+// Part of the base's spans that a model without curvatures may have.
+constexpr double much_lighter_share = 0.35;
 // Blocks of spans in each direction over which bounds are taken; more where the other direction has fewer spans.
 constexpr std::size_t even_blocks = 24;
 // Angle of the normals (its sine) up to which asin x <= 1.01 x.
@@ -397,31 +399,46 @@ double extent(const TensorSpline &spline)
     return hull.sizes().norm();
 }
 
+std::size_t spans(const TensorSpline &spline)
+{
+    return (spline.u.breaks().size() - 1) * (spline.v.breaks().size() - 1);
+}
+
 class ModelSearch
 {
 public:
     ModelSearch(const TensorSpline &base, double distance)
-        : m_reduction(base), m_distance(std::abs(distance)), m_bounds(base), m_flat(flat_curvature / extent(base))
+        : m_reduction(base), m_spans(spans(base)), m_distance(std::abs(distance)), m_bounds(base),
+          m_flat(flat_curvature / extent(base))
     {
     }
 
     [[nodiscard]] bool is_hopeless() const { return !m_bounds.has_normals(); }
 
     //! \param allowance [mm] that the model's point and normal errors may add to the offset's.
+    //! \return a model for offsets alone where rounding, on knots that nearly coincide, leaves nothing known of curvatures.
     [[nodiscard]] std::optional<LightModel> within(double allowance)
     {
+        const double curvature_allowance = curvature_share * std::max(m_flat, m_bounds.typical_curvature());
+        std::optional<bool> with_curvature;
+        std::optional<ReducedSpline> model;
         double goal = first_part * allowance;
         for (int round = 0; round < most_rounds; ++round)
         {
-            std::optional<ReducedSpline> model = m_reduction.within(goal);
+            model = m_reduction.within(goal, model ? &*model : nullptr);
             if (!model)
                 return std::nullopt;
-            const ModelError error = m_bounds.error(*model);
-            const double room =
-                std::min(allowance / error.of_offset(m_distance),
-                         curvature_share * std::max(m_flat, m_bounds.typical_curvature()) / error.curvature);
+            ModelError error = m_bounds.error(*model);
+            if (!with_curvature)
+                with_curvature = curvature_of_rounding(*model) <= curvature_allowance;
+            if (!*with_curvature)
+                error.curvature = std::numeric_limits<double>::infinity();
+            const double room = std::min(allowance / error.of_offset(m_distance),
+                                         *with_curvature ? curvature_allowance / error.curvature : 1.0);
             if (room >= 1.0)
-                return LightModel{std::move(model->spline), error};
+                return *with_curvature || much_lighter(model->spline)
+                           ? std::optional(LightModel{std::move(model->spline), error})
+                           : std::nullopt;
             if (!std::isfinite(error.normal))
                 return std::nullopt;
             goal *= std::clamp(0.8 * room, 1e-3, 0.8);
@@ -430,7 +447,21 @@ public:
     }
 
 private:
+    //! What rounding alone leaves of the curvatures' bound, however close the model.
+    [[nodiscard]] double curvature_of_rounding(const ReducedSpline &model) const
+    {
+        const std::vector<Eigen::Vector3d> nothing(model.change.size(), Eigen::Vector3d::Zero());
+        return m_bounds.error({{}, nothing, model.rounding, 0.0}).curvature;
+    }
+
+    //! So light that it pays though curvature has to be searched on the base, and though its knots are not the offset's best.
+    [[nodiscard]] bool much_lighter(const TensorSpline &model) const
+    {
+        return static_cast<double>(spans(model)) <= much_lighter_share * static_cast<double>(m_spans);
+    }
+
     DataReduction m_reduction;
+    std::size_t m_spans;
     double m_distance;
     BaseBounds m_bounds;
     double m_flat;
@@ -443,10 +474,9 @@ bool smooth(const KnotVector &kv) { return kv.degree > 1 || kv.breaks().size() =
 
 std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance)
 {
-    const std::size_t spans = (base.u.breaks().size() - 1) * (base.v.breaks().size() - 1);
     constexpr int second_derivative = 2;
     const bool too_few = std::min(base.u.pole_count(), base.v.pole_count()) <= second_derivative;
-    if (base.rational || spans < least_spans || too_few)
+    if (base.rational || spans(base) < least_spans || too_few)
         return std::nullopt;
     ModelSearch search(base, distance);
     if (search.is_hopeless())

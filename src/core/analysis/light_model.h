@@ -22,7 +22,7 @@ namespace laminate_offset
 struct LightModel
 {
     TensorSpline spline;
-    ModelError error;
+    ModelError error; //!< its curvature is infinite where the model serves offsets only, but no limits
 };
 
 //! \param distance [mm] at which the model serves an offset.

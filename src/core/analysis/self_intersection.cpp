@@ -141,7 +141,7 @@ class PairSearch
 public:
     explicit PairSearch(const SelfIntersectionQuery &query)
         : m_query(query), m_tree(query.offset), m_solver(query), m_periods(periods_of(query.input, query.tolerance)),
-          m_resolution(resolution_share * query.tolerance)
+          m_resolution(resolution_share * query.tolerance), m_points(base_points())
     {
     }
 
@@ -232,66 +232,73 @@ private:
         return bounds.one_to_one();
     }
 
-    //! The side of the whole surface that a piece has collapsed to a point, as a bit.
-    [[nodiscard]] unsigned collapsed_sides(const PatchNode &node) const
+    //! The sides of the whole base that are points, as bits.
+    [[nodiscard]] unsigned base_points() const
     {
-        const Eigen::Vector3d nothing = Eigen::Vector3d::Zero();
-        // cheap: nowhere does a derivative nearly vanish
-        if (!node.is_piece() ||
-            (node.bounds.du.exteriorDistance(nothing) * (node.box.umax - node.box.umin) > m_resolution &&
-             node.bounds.dv.exteriorDistance(nothing) * (node.box.vmax - node.box.vmin) > m_resolution))
-            return 0;
-        const int nu = m_tree.degree_u();
-        const int nv = m_tree.degree_v();
+        constexpr int samples = 9;
+        const ParameterBox &box = m_tree.node(PatchTree::root()).box;
         const double tiny = 1e-2 * m_resolution;
-        const auto point = [&](int i, int j) { return m_tree.point(node, i, j); };
-        std::array<bool, 4> collapsed{true, true, true, true};
-        for (int j = 0; j <= nv; ++j)
-        {
-            collapsed[0] = collapsed[0] && (point(0, j) - point(0, 0)).norm() < tiny;
-            collapsed[1] = collapsed[1] && (point(nu, j) - point(nu, 0)).norm() < tiny;
-        }
-        for (int i = 0; i <= nu; ++i)
-        {
-            collapsed[2] = collapsed[2] && (point(i, 0) - point(0, 0)).norm() < tiny;
-            collapsed[3] = collapsed[3] && (point(i, nv) - point(0, nv)).norm() < tiny;
-        }
-        unsigned sides = 0;
-        for (unsigned k = 0; k < 4; ++k)
-            sides |= collapsed[k] ? 1U << k : 0U;
-        return sides;
+        const auto is_point = [&](double u0, double v0, double u1, double v1) {
+            const auto at = [&](int k) {
+                const double t = static_cast<double>(k) / (samples - 1);
+                return m_query.analysis.base.jets({u0 + t * (u1 - u0)}, {v0 + t * (v1 - v0)}, 0).front().s;
+            };
+            for (int k = 1; k < samples; ++k)
+                if ((at(k) - at(0)).norm() >= tiny)
+                    return false;
+            return true;
+        };
+        return (is_point(box.umin, box.vmin, box.umin, box.vmax) ? low_u : 0U) |
+               (is_point(box.umax, box.vmin, box.umax, box.vmax) ? high_u : 0U) |
+               (is_point(box.umin, box.vmin, box.umax, box.vmin) ? low_v : 0U) |
+               (is_point(box.umin, box.vmax, box.umax, box.vmax) ? high_v : 0U);
     }
 
-    //! Normals at the corners (drawn in a little, off the collapsed side) and at the centre.
-    [[nodiscard]] std::array<Eigen::Vector3d, 5> normals(const ParameterBox &box) const
+    //! Those of them that a rectangle touches.
+    [[nodiscard]] unsigned points_of(const ParameterBox &box) const
+    {
+        const ParameterBox &whole = m_tree.node(PatchTree::root()).box;
+        return m_points & ((box.umin == whole.umin ? low_u : 0U) | (box.umax == whole.umax ? high_u : 0U) |
+                           (box.vmin == whole.vmin ? low_v : 0U) | (box.vmax == whole.vmax ? high_v : 0U));
+    }
+
+    //! Places of a piece, drawn in a little, off the side that is a point.
+    [[nodiscard]] static std::array<gp_Pnt2d, 5> places(const ParameterBox &box)
     {
         constexpr double in = 0.02;
-        constexpr std::array<std::array<double, 2>, 5> at{
-            {{in, in}, {in, 1.0 - in}, {1.0 - in, in}, {1.0 - in, 1.0 - in}, {0.5, 0.5}}};
-        std::array<Eigen::Vector3d, 5> result;
-        for (std::size_t k = 0; k < at.size(); ++k)
-        {
-            const double u = box.umin + at[k][0] * (box.umax - box.umin);
-            const double v = box.vmin + at[k][1] * (box.vmax - box.vmin);
-            const SurfaceJet jet = m_query.offset.jets({u}, {v}, 1).front();
-            result[k] = jet.u.cross(jet.v).normalized();
-        }
-        return result;
+        const auto at = [&](double x, double y) {
+            return gp_Pnt2d(box.umin + x * (box.umax - box.umin), box.vmin + y * (box.vmax - box.vmin));
+        };
+        return {at(in, in), at(in, 1.0 - in), at(1.0 - in, in), at(1.0 - in, 1.0 - in), at(0.5, 0.5)};
     }
 
+    //! Both lie at the same point of the base, their normals within one cap, and the offset has not turned round it.
     [[nodiscard]] bool same_cap(int first, int second) const
     {
-        const PatchNode &a = m_tree.node(first);
-        const PatchNode &b = m_tree.node(second);
-        if ((collapsed_sides(a) & collapsed_sides(b)) == 0)
+        const ParameterBox &a = m_tree.node(first).box;
+        const ParameterBox &b = m_tree.node(second).box;
+        if (!m_tree.node(first).is_piece() || !m_tree.node(second).is_piece() || (points_of(a) & points_of(b)) == 0)
             return false;
-        const auto na = normals(a.box);
-        const auto nb = first == second ? na : normals(b.box);
-        for (const Eigen::Vector3d &x : na)
-            for (const Eigen::Vector3d &y : nb)
-                if (!(x.dot(y) > cap_cosine))
+        const auto jets = [](const auto &surface, const ParameterBox &box) {
+            std::array<SurfaceJet, 5> result;
+            std::size_t k = 0;
+            for (const gp_Pnt2d &uv : places(box))
+                result[k++] = surface.jets({uv.X()}, {uv.Y()}, 1).front();
+            return result;
+        };
+        const auto offset_a = jets(m_query.offset, a), offset_b = jets(m_query.offset, b);
+        const auto base_a = jets(m_query.analysis.base, a), base_b = jets(m_query.analysis.base, b);
+        for (std::size_t i = 0; i < offset_a.size(); ++i)
+            for (std::size_t j = 0; j < offset_b.size(); ++j)
+                if (!in_one_cap(offset_a[i], offset_b[j]) ||
+                    (offset_a[i].s - offset_b[j].s).dot(base_a[i].s - base_b[j].s) < 0.0)
                     return false;
         return true;
+    }
+
+    [[nodiscard]] static bool in_one_cap(const SurfaceJet &a, const SurfaceJet &b)
+    {
+        return a.u.cross(a.v).normalized().dot(b.u.cross(b.v).normalized()) > cap_cosine;
     }
 
     //! The range of a piece's control points along an axis.
@@ -342,12 +349,14 @@ private:
     }
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr unsigned low_u = 1, high_u = 2, low_v = 4, high_v = 8;
 
     const SelfIntersectionQuery &m_query;
     PatchTree m_tree;
     MeetingSolver m_solver;
     Periods m_periods;
     double m_resolution;
+    unsigned m_points;
     int m_newton_starts = 0;
     std::vector<signed char> m_touches;
     SelfIntersectionSearch m_result;

@@ -100,23 +100,25 @@ SurfaceAnalysis unchecked(const InputFace &input, double distance, double tolera
             std::nullopt};
 }
 
-//! The normals of a light model stand for the base's: they differ by far less than a crease.
-Result<SurfaceAnalysis> checked(SurfaceAnalysis analysis, const InputFace &input, double distance, double tolerance)
+Result<bool> check_creases(const SurfaceAnalysis &analysis, const InputFace &input, double distance, double tolerance)
 {
     const double farther = farther_distance(input, distance);
     const std::vector<CreaseLine> creases = find_creases(input, analysis.base, analysis.region, farther, tolerance);
     if (!creases.empty())
         return creased_refusal(input, creases);
-    if (const auto regular = check_base_distance(analysis, input); !regular)
-        return regular.failure();
-    return analysis;
+    return true;
 }
 
 } // namespace
 
 Result<SurfaceAnalysis> read_base(const InputFace &input, double distance, double tolerance)
 {
-    return checked(unchecked(input, distance, tolerance), input, distance, tolerance);
+    SurfaceAnalysis analysis = unchecked(input, distance, tolerance);
+    if (const auto smooth = check_creases(analysis, input, distance, tolerance); !smooth)
+        return smooth.failure();
+    if (const auto regular = check_base_distance(analysis, input); !regular)
+        return regular.failure();
+    return analysis;
 }
 
 Result<SurfaceAnalysis> read_creased_base(const InputFace &input, double distance, double tolerance)
@@ -143,13 +145,21 @@ void find_limits(SurfaceAnalysis &analysis, const InputFace &input, double dista
 
 Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double tolerance)
 {
-    SurfaceAnalysis start = unchecked(input, distance, tolerance);
-    if (start.base.spline() && !start.base.strip()) // the models of swept surfaces are light
-        if (std::optional<LightModel> light = light_model(*start.base.spline(), distance, tolerance))
-            start.base.adopt_model(std::move(light->spline), light->error);
-    Result<SurfaceAnalysis> analysis = checked(std::move(start), input, distance, tolerance);
-    if (analysis)
-        find_limits(analysis.value(), input, distance, refusal_gap);
+    SurfaceAnalysis analysis = unchecked(input, distance, tolerance);
+    BaseSurface &base = analysis.base;
+    if (const auto smooth = check_creases(analysis, input, distance, tolerance); !smooth)
+        return smooth.failure();
+    std::optional<LightModel> light;
+    if (base.spline() && !base.strip()) // the models of swept surfaces are light
+        light = light_model(*base.spline(), distance, tolerance);
+    const bool has_curvature = light && std::isfinite(light->error.curvature);
+    if (has_curvature)
+        base.adopt_model(std::move(light->spline), light->error);
+    if (const auto regular = check_base_distance(analysis, input); !regular)
+        return regular.failure();
+    find_limits(analysis, input, distance, refusal_gap);
+    if (light && !has_curvature)
+        base.adopt_model(std::move(light->spline), light->error);
     return analysis;
 }
 

@@ -32,7 +32,8 @@ RowMatrix pole_rows(const TensorSpline &spline, const Eigen::Vector3d &origin)
     return rows;
 }
 
-std::optional<KnotVector> fewer_knots(const KnotVector &fine, const RowMatrix &poles, double tolerance)
+std::optional<KnotVector> fewer_knots(const KnotVector &fine, const RowMatrix &poles, double tolerance,
+                                      const KnotVector *start)
 {
     KnotProblem problem;
     problem.low = fine.front();
@@ -45,6 +46,7 @@ std::optional<KnotVector> fewer_knots(const KnotVector &fine, const RowMatrix &p
     problem.min_degree = problem.max_degree = fine.degree;
     problem.max_poles = fine.pole_count();
     problem.fine = &fine;
+    problem.start = start;
     const std::optional<KnotChoice> choice = choose_knots(problem);
     return choice ? std::optional(choice->knots) : std::nullopt;
 }
@@ -80,7 +82,7 @@ DataReduction::DataReduction(const TensorSpline &spline, double worthwhile) : m_
                  (m_by_u.cwiseAbs().maxCoeff() + m_origin.cwiseAbs().maxCoeff());
 }
 
-std::optional<ReducedSpline> DataReduction::within(double tolerance) const
+std::optional<ReducedSpline> DataReduction::within(double tolerance, const ReducedSpline *looser) const
 {
     if (m_spline.rational)
         return std::nullopt;
@@ -88,9 +90,9 @@ std::optional<ReducedSpline> DataReduction::within(double tolerance) const
     for (int round = 0; round < most_rounds; ++round)
     {
         const bool all = m_by_u.rows() <= enough_curves && m_by_v.rows() <= enough_curves;
-        std::optional<ReducedSpline> result = attempt(share * tolerance, all);
+        std::optional<ReducedSpline> result = attempt(share * tolerance, all, looser);
         if (!all && result && result->largest > tolerance)
-            result = attempt(share * tolerance, true);
+            result = attempt(share * tolerance, true, looser);
         if (!result || result->largest <= tolerance)
             return result; // what is not worth it for some curves is not worth it for all
         share *= std::clamp(0.8 * tolerance / result->largest, 0.1, 0.8);
@@ -98,14 +100,15 @@ std::optional<ReducedSpline> DataReduction::within(double tolerance) const
     return std::nullopt;
 }
 
-std::optional<ReducedSpline> DataReduction::attempt(double tolerance, bool all_curves) const
+std::optional<ReducedSpline> DataReduction::attempt(double tolerance, bool all_curves,
+                                                    const ReducedSpline *looser) const
 {
-    const auto knots = [&](const KnotVector &fine, const RowMatrix &points) {
+    const auto knots = [&](const KnotVector &fine, const RowMatrix &points, const KnotVector *start) {
         const bool all = all_curves || points.cols() <= 3 * enough_curves;
-        return fewer_knots(fine, all ? points : some_curves(points, enough_curves), tolerance);
+        return fewer_knots(fine, all ? points : some_curves(points, enough_curves), tolerance, start);
     };
-    const auto u = knots(m_spline.u, m_by_u);
-    const auto v = u ? knots(m_spline.v, m_by_v) : std::nullopt;
+    const auto u = knots(m_spline.u, m_by_u, looser ? &looser->spline.u : nullptr);
+    const auto v = u ? knots(m_spline.v, m_by_v, looser ? &looser->spline.v : nullptr) : std::nullopt;
     if (!u || !v || !worth_it(m_spline, *u, *v, m_worthwhile))
         return std::nullopt;
     return over(*u, *v);

@@ -34,11 +34,13 @@ public:
     explicit DataReduction(const TensorSpline &spline, double worthwhile = 0.6);
 
     //! \param tolerance [mm] that no change of a pole may exceed.
+    //! \param looser what a looser tolerance has led to: the search starts from its knots.
     //! \return nothing for a rational surface, or where fewer knots do not suffice.
-    [[nodiscard]] std::optional<ReducedSpline> within(double tolerance) const;
+    [[nodiscard]] std::optional<ReducedSpline> within(double tolerance, const ReducedSpline *looser = nullptr) const;
 
 private:
-    [[nodiscard]] std::optional<ReducedSpline> attempt(double tolerance, bool all_curves) const;
+    [[nodiscard]] std::optional<ReducedSpline> attempt(double tolerance, bool all_curves,
+                                                       const ReducedSpline *looser) const;
     [[nodiscard]] std::optional<ReducedSpline> over(const KnotVector &u, const KnotVector &v) const;
 
     const TensorSpline &m_spline;

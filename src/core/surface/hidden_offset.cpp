@@ -209,7 +209,8 @@ std::optional<OffsetSurface> hidden_offset(const SurfaceAnalysis &analysis, doub
         if (!full || !holds_at(*samples, *full, analysis.base, distance, left))
             continue;
         for (const TensorSpline &offset : {without_redundant_knots(*full), *full})
-            if (const Certificate proof = certify({*base, offset, distance, left, needed}); proof.proven)
+            if (const Certificate proof = certify({*base, offset, distance, left, needed, analysis.base.rounding()});
+                proof.proven)
                 return OffsetSurface{to_geom(offset), {0.0, 0.0}, proof.bound + of_model, std::nullopt};
     }
     return std::nullopt;

@@ -23,6 +23,10 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.55;
 constexpr int most_rounds = 8;
+// Rounds that leave more than this part of the error: rounding, on spans too narrow for the size of the face, keeps the proof
+// from coming any closer.
+constexpr double in_vain = 0.95;
+constexpr int most_rounds_in_vain = 2;
 // A fit seen to take less than this part of the tolerance has been searched too closely. A wider search aims at what
 // proofs hold with ease, since one that fails costs more than all the rest.
 constexpr double close_share = 0.5;
@@ -133,8 +137,8 @@ ErrorAt proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline
 {
     const auto needed = [&](const ParameterBox &box) { return analysis.region.may_touch(box); };
     const double of_model = analysis.base.model_error().of_offset(distance);
-    const Certificate certificate =
-        certify({*analysis.base.spline(), spline, distance, tolerance - of_model, needed, 0.0, settle});
+    const Certificate certificate = certify(
+        {*analysis.base.spline(), spline, distance, tolerance - of_model, needed, analysis.base.rounding(), settle});
     const ParameterBox &worst = certificate.worst;
     return {of_model + certificate.bound, gp_Pnt2d(0.5 * (worst.umin + worst.umax), 0.5 * (worst.vmin + worst.vmax))};
 }
@@ -158,6 +162,7 @@ public:
         for (const double distance : m_request.distances)
             left = std::min(left, m_request.tolerance - m_base.model_error().of_offset(distance));
         double share = first_direction_share;
+        int rounds_in_vain = 0;
         std::optional<FitSpace> space_before;
         for (int round = 0; left > 0.0 && round < most_rounds; ++round)
         {
@@ -181,8 +186,11 @@ public:
             const ErrorAt worst = worth_proving ? proven_error(*attempt) : attempt->seen;
             if (worst.error <= m_request.tolerance)
                 return std::move(attempt->fit);
+            rounds_in_vain = m_closest && worst.error > in_vain * m_closest->error ? rounds_in_vain + 1 : 0;
             if (!m_closest || worst.error < m_closest->error)
                 m_closest = worst;
+            if (rounds_in_vain >= most_rounds_in_vain)
+                break;
             if (attempt->extra >= m_request.tolerance) // a closer fit would not help
                 break;
             share *= std::clamp(0.9 * m_request.tolerance / worst.error, 0.3, 0.8);

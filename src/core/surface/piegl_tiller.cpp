@@ -390,8 +390,8 @@ private:
     [[nodiscard]] ErrorAt bound(const TensorSpline &spline, double target) const
     {
         const auto needed = [&](const ParameterBox &box) { return m_analysis.region.may_touch(base_box(box)); };
-        const Certificate certificate = certify(
-            {*m_reparametrised, spline, m_distance, target, needed, reparametrisation_operations(*m_base.spline())});
+        const Certificate certificate = certify({*m_reparametrised, spline, m_distance, target, needed,
+                                                 reparametrisation_operations(*m_base.spline()) + m_base.rounding()});
         const ParameterBox worst = base_box(certificate.worst);
         return {certificate.bound + m_base.model_error().of_offset(m_distance),
                 gp_Pnt2d(0.5 * (worst.umin + worst.umax), 0.5 * (worst.vmin + worst.vmax))};
