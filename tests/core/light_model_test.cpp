@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A light model keeps what its error says in point, normal and curvature, judged by dense samples.
+#include "support/offset_oracle.h"
+#include "support/offsets.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -8,6 +10,7 @@
 #include <laminate_offset/spline/data_reduction.h>
 #include <laminate_offset/spline/least_squares.h>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -291,6 +294,43 @@ TEST(LightModel, OfALongRibbonWithOneSpanAcross)
                 expect_within(seen, model->error);
                 EXPECT_GT(seen.normal, 1e-3 * model->error.normal) << "the bound says nothing";
             }
+}
+
+// Lofts have the knots of all their sections, whose second derivatives between them are rounding. Their model says nothing of
+// curvatures, and limits are searched on the base.
+TEST(LightModel, OfKnotsThatNearlyCoincideServesOffsetsAlone)
+{
+    for (const double gap : {1e-7, 1e-8})
+    {
+        SCOPED_TRACE(::testing::Message() << "gap " << gap);
+        const Handle(Geom_BSplineSurface) loft = height_surface(
+            [](double x, double y) { return 20.0 * std::sin(0.012 * x) + 1e-3 * y * y; }, 1000.0, 300.0, 14, 4);
+        for (int k = 1; k < 80; ++k)
+            for (const double beside : {0.0, gap, 2.0 * gap})
+                loft->InsertUKnot(k / 80.0 + beside, 1, 1e-12);
+        const TensorSpline base = from_geom(loft);
+        const double distance = 2.0, tolerance = 1e-2;
+        const std::optional<LightModel> model = light_model(base, distance, tolerance);
+        ASSERT_TRUE(model);
+        EXPECT_LT(3 * spans(model->spline), spans(base));
+        EXPECT_TRUE(std::isinf(model->error.curvature));
+        EXPECT_LE(model->error.of_offset(distance), 0.25 * tolerance);
+        expect_within(differences(base, model->spline), model->error);
+        for (const double side : {-distance, distance})
+        {
+            const TopoDS_Face face = BRepBuilderAPI_MakeFace(loft, 1e-6).Face();
+            const auto made = offset(face, side, tolerance);
+            ASSERT_TRUE(made.ok()) << why(made);
+            EXPECT_LT(made.value().report.surface->poles_u, 60);
+            const OracleReport seen = measure_offset(face, made.value().face(), side, {60, 60});
+            EXPECT_TRUE(confirms(seen, tolerance));
+            EXPECT_LE(std::max(seen.surface_error, seen.converse_error), *made.value().report.certified_error);
+            const std::optional<double> limit =
+                side < 0.0 ? made.value().report.limits->negative : made.value().report.limits->positive;
+            ASSERT_TRUE(limit.has_value());
+            EXPECT_GT(least_curvature_factor(face, *limit), 0.0) << "of the base itself";
+        }
+    }
 }
 
 TEST(LightModel, LeavesSmallAndSingularBasesAlone)

@@ -258,6 +258,66 @@ TEST(SelfIntersection, SeamsAndPolesAreNoMeetings)
         }
 }
 
+namespace
+{
+
+//! The radii and heights of two circles about the z axis.
+struct Frustum
+{
+    double radius[2];
+    double height[2];
+};
+
+//! Parametrised like a cylinder; a negative radius lies beyond the axis.
+Handle(Geom_BSplineSurface) between_circles(const Frustum &frustum)
+{
+    const Handle(Geom_BSplineSurface) surface = GeomConvert::SurfaceToBSplineSurface(
+        new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(), 1.0), 0.0, 2.0 * M_PI, 0.0, 1.0));
+    surface->SetUNotPeriodic();
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+        for (int j = 1; j <= 2; ++j)
+        {
+            const gp_Pnt unit = surface->Pole(i, j);
+            const double radius = frustum.radius[j - 1];
+            surface->SetPole(i, j, gp_Pnt(radius * unit.X(), radius * unit.Y(), frustum.height[j - 1]));
+        }
+    return surface;
+}
+
+} // namespace
+
+// On the open side of a flat cone's tip the offset leaves a small hole, about which all normals point nearly the same way: it is
+// settled at once. On the other side it runs through the axis and comes out again, which is no cap.
+TEST(SelfIntersection, TheHoleOfAnOpenedTipIsOneCapAndATurnedTipIsNot)
+{
+    for (const double slope : {0.02, 0.1, 0.4})
+        for (const double distance : {0.2, 0.5, 2.0})
+        {
+            SCOPED_TRACE(testing::Message() << "slope " << slope << " distance " << distance);
+            const double out = distance * std::sin(slope), down = distance * std::cos(slope);
+            const double height = 20.0 * std::tan(slope);
+            const TopoDS_Face face =
+                BRepBuilderAPI_MakeFace(between_circles({{0.0, 20.0}, {0.0, height}}), 1e-6).Face();
+            const Result<InputFace> input = read_face(face);
+            ASSERT_TRUE(input.ok()) << input.failure().message;
+            for (const double side : {1.0, -1.0})
+            {
+                const Result<SurfaceAnalysis> analysis = analyse(input.value(), side * distance, tolerance);
+                ASSERT_TRUE(analysis.ok()) << analysis.failure().message;
+                const TensorSpline offset =
+                    from_geom(between_circles({{side * out, 20.0 + side * out}, {-side * down, height - side * down}}));
+                const SelfIntersectionSearch search =
+                    find_self_intersection({analysis.value(), input.value(), offset, side * distance, tolerance});
+                const bool is_cap = side > 0.0 || 2.0 * out * std::sin(slope) < 2.0 * tolerance;
+                EXPECT_EQ(search.settled && !search.meeting, is_cap);
+                if (is_cap)
+                {
+                    EXPECT_LT(search.pairs, 100);
+                }
+            }
+        }
+}
+
 TEST(SelfIntersection, WavySurfacesThatAreGraphsNeverMeet)
 {
     RandomCases random;

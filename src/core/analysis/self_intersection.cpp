@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -272,34 +273,55 @@ private:
         return {at(in, in), at(in, 1.0 - in), at(1.0 - in, in), at(1.0 - in, 1.0 - in), at(0.5, 0.5)};
     }
 
-    //! Both lie at the same point of the base, their normals within one cap, and the offset has not turned round it.
+    //! What is seen of a piece at a point of the base.
+    struct Sight
+    {
+        std::array<SurfaceJet, 5> offset;
+        std::array<Eigen::Vector3d, 5> base;
+        std::array<Eigen::Vector3d, 5> tip; //!< of the offset, on the side that is a point of the base
+    };
+
+    [[nodiscard]] Sight sight(const ParameterBox &box, unsigned point) const
+    {
+        Sight seen;
+        std::size_t k = 0;
+        for (const gp_Pnt2d &uv : places(box))
+        {
+            const double u = point == low_u ? box.umin : (point == high_u ? box.umax : uv.X());
+            const double v = point == low_v ? box.vmin : (point == high_v ? box.vmax : uv.Y());
+            seen.offset[k] = m_query.offset.jets({uv.X()}, {uv.Y()}, 1).front();
+            seen.base[k] = m_query.analysis.base.jets({uv.X()}, {uv.Y()}, 0).front().s;
+            seen.tip[k] = m_query.offset.jets({u}, {v}, 0).front().s;
+            ++k;
+        }
+        return seen;
+    }
+
+    //! Both lie at the same point of the base, with normals in one cap, and the offset of the point has opened: it has
+    //! not run through it and out on the other side, by more than the tolerance.
     [[nodiscard]] bool same_cap(int first, int second) const
     {
-        const ParameterBox &a = m_tree.node(first).box;
-        const ParameterBox &b = m_tree.node(second).box;
-        if (!m_tree.node(first).is_piece() || !m_tree.node(second).is_piece() || (points_of(a) & points_of(b)) == 0)
+        const PatchNode &one = m_tree.node(first), &other = m_tree.node(second);
+        const unsigned point = one.is_piece() && other.is_piece() ? points_of(one.box) & points_of(other.box) : 0U;
+        if (!std::has_single_bit(point))
             return false;
-        const auto jets = [](const auto &surface, const ParameterBox &box) {
-            std::array<SurfaceJet, 5> result;
-            std::size_t k = 0;
-            for (const gp_Pnt2d &uv : places(box))
-                result[k++] = surface.jets({uv.X()}, {uv.Y()}, 1).front();
-            return result;
-        };
-        const auto offset_a = jets(m_query.offset, a), offset_b = jets(m_query.offset, b);
-        const auto base_a = jets(m_query.analysis.base, a), base_b = jets(m_query.analysis.base, b);
-        for (std::size_t i = 0; i < offset_a.size(); ++i)
-            for (std::size_t j = 0; j < offset_b.size(); ++j)
-                if (!in_one_cap(offset_a[i], offset_b[j]) ||
-                    (offset_a[i].s - offset_b[j].s).dot(base_a[i].s - base_b[j].s) < 0.0)
+        const Sight a = sight(one.box, point), b = sight(other.box, point);
+        const double error = 2.0 * m_query.tolerance; // by which places of one tip may miss each other
+        for (std::size_t i = 0; i < a.base.size(); ++i)
+            for (std::size_t j = 0; j < b.base.size(); ++j)
+            {
+                const Eigen::Vector3d way = a.base[i] - b.base[j];
+                const Eigen::Vector3d across = a.tip[i] - b.tip[j];
+                const Eigen::Vector3d na = unit_normal(a.offset[i]), nb = unit_normal(b.offset[j]);
+                const bool turned = across.dot(way) < -error * way.norm() &&
+                                    std::max(std::abs(across.dot(na)), std::abs(across.dot(nb))) > error;
+                if (turned || !(na.dot(nb) > cap_cosine) || (a.offset[i].s - b.offset[j].s).dot(way) < 0.0)
                     return false;
+            }
         return true;
     }
 
-    [[nodiscard]] static bool in_one_cap(const SurfaceJet &a, const SurfaceJet &b)
-    {
-        return a.u.cross(a.v).normalized().dot(b.u.cross(b.v).normalized()) > cap_cosine;
-    }
+    [[nodiscard]] static Eigen::Vector3d unit_normal(const SurfaceJet &jet) { return jet.u.cross(jet.v).normalized(); }
 
     //! The range of a piece's control points along an axis.
     [[nodiscard]] std::pair<double, double> extent_along(const Eigen::Vector3d &axis, const PatchNode &piece) const

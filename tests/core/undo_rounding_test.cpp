@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Patches that run out into a tip whose poles files have rounded: the side is meant to be a point, and is made one.
+// What rounding has made of a base: tips whose poles miss each other, weights that differ in their last digits.
 #include "support/offset_oracle.h"
 #include "support/offsets.h"
+#include "support/sample_faces.h"
 
 #include <laminate_offset/analysis/base_surface.h>
+#include <laminate_offset/spline/undo_rounding.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <GeomConvert.hxx>
@@ -62,7 +64,7 @@ BaseSurface base_of(const Handle(Geom_BSplineSurface) & surface) { return {surfa
 
 } // namespace
 
-TEST(ClosedSides, TipsThatFilesHaveRoundedAreOffset)
+TEST(UndoRounding, TipsThatFilesHaveRoundedAreOffset)
 {
     constexpr double tolerance = 1e-3;
     for (const int order : {1, 2})
@@ -87,7 +89,7 @@ TEST(ClosedSides, TipsThatFilesHaveRoundedAreOffset)
                     }
 }
 
-TEST(ClosedSides, HowFarTheSurfaceMovesIsToldAndNoLess)
+TEST(UndoRounding, HowFarTheSurfaceMovesIsToldAndNoLess)
 {
     for (const int order : {1, 2})
         for (const double noise : {1e-13, 1e-12, 1e-11})
@@ -113,7 +115,7 @@ TEST(ClosedSides, HowFarTheSurfaceMovesIsToldAndNoLess)
 }
 
 // A side that is short but no point keeps its poles.
-TEST(ClosedSides, ShortSidesStayAsTheyAre)
+TEST(UndoRounding, ShortSidesStayAsTheyAre)
 {
     for (const Tip &tip : {Tip{1, 1e-9}, Tip{2, 1e-5}, Tip{1, 1e-12, false, false, 0.02}})
     {
@@ -125,4 +127,92 @@ TEST(ClosedSides, ShortSidesStayAsTheyAre)
         for (std::size_t i = 0; i < own.poles.size(); ++i)
             EXPECT_EQ(base.spline()->poles[i], own.poles[i]);
     }
+}
+
+namespace
+{
+
+//! A wavy net whose weights are one constant but for some digits.
+Handle(Geom_BSplineSurface) nearly_even(double difference, double away = 0.0)
+{
+    const Handle(Geom_BSplineSurface) surface =
+        height_surface([](double x, double y) { return std::sin(0.2 * x) * std::cos(0.15 * y); }, 20.0, 15.0, 6, 5);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> digit(0.0, difference);
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+        for (int j = 1; j <= surface->NbVPoles(); ++j)
+        {
+            surface->SetPole(i, j, surface->Pole(i, j).Translated(gp_Vec(away, 0.0, 0.0)));
+            surface->SetWeight(i, j, 0.7 * (1.0 + digit(random)));
+        }
+    return surface;
+}
+
+} // namespace
+
+TEST(UndoRounding, WeightsThatAreOneConstantAreOneWithinTheBound)
+{
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    for (const double difference : {1e-15, 4e-14, 8e-13})
+        for (const double away : {0.0, 1e3})
+        {
+            SCOPED_TRACE(testing::Message() << "difference " << difference << " away " << away);
+            const Handle(Geom_BSplineSurface) given = nearly_even(difference, away);
+            const TensorSpline before = from_geom(given);
+            ASSERT_TRUE(before.rational);
+            TensorSpline after = before;
+            const UndoneRounding undone = undo_rounding(after);
+            EXPECT_FALSE(after.rational);
+            double extent = 0.0, apart = 0.0;
+            for (const Eigen::Vector4d &pole : after.poles)
+            {
+                EXPECT_EQ(pole.w(), 1.0);
+                extent = std::max(extent, pole.head<3>().cwiseAbs().maxCoeff());
+            }
+            const double rounding = 100.0 * epsilon * extent;
+            constexpr double shortest_span = 0.3;
+            for (double u = 0.01; u < 1.0; u += 0.07)
+                for (double v = 0.01; v < 1.0; v += 0.07)
+                {
+                    const SurfaceJet a = before.jets({u}, {v}, 1).front(), b = after.jets({u}, {v}, 1).front();
+                    apart = std::max(apart, (a.s - b.s).norm());
+                    const double of_derivative = 2.0 * 3.0 / shortest_span * undone.operations * epsilon * extent;
+                    EXPECT_LE((a.u - b.u).norm(), of_derivative + 20.0 * rounding);
+                    EXPECT_LE((a.v - b.v).norm(), of_derivative + 20.0 * rounding);
+                }
+            EXPECT_LE(apart, undone.moved + rounding);
+            if (difference > 1e-13 && away == 0.0)
+            {
+                EXPECT_GT(apart, 1e-3 * undone.moved) << "the bound says something";
+            }
+        }
+}
+
+TEST(UndoRounding, WeightsThatDifferStayAsTheyAre)
+{
+    const Handle(Geom_BSplineSurface) given = nearly_even(1e-9);
+    TensorSpline spline = from_geom(given);
+    const UndoneRounding undone = undo_rounding(spline);
+    EXPECT_TRUE(spline.rational);
+    EXPECT_EQ(undone.moved, 0.0);
+    EXPECT_EQ(undone.operations, 0.0);
+}
+
+TEST(UndoRounding, OffsetsOfNearlyEvenWeightsArePolynomialAndProven)
+{
+    constexpr double tolerance = 1e-4;
+    for (const double difference : {4e-14, 8e-13})
+        for (const double distance : {-0.05, 0.05})
+        {
+            SCOPED_TRACE(testing::Message() << "difference " << difference << " distance " << distance);
+            const TopoDS_Face base = BRepBuilderAPI_MakeFace(nearly_even(difference), 1e-7).Face();
+            const auto made = offset(base, distance, tolerance);
+            ASSERT_TRUE(made.ok()) << why(made);
+            const OracleReport seen = measure_offset(base, made.value().face(), distance, {40, 40});
+            EXPECT_TRUE(confirms(seen, tolerance));
+            const auto &report = made.value().report;
+            ASSERT_TRUE(report.certified_error.has_value());
+            EXPECT_LE(std::max(seen.surface_error, seen.converse_error), *report.certified_error);
+            EXPECT_FALSE(report.surface->rational);
+        }
 }
