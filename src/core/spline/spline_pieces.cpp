@@ -1,8 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "spline_pieces.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace laminate_offset
 {
+
+namespace
+{
+
+//! The largest sum of the changes of all weights from one row of an extraction to the next.
+double largest_change(const double *matrix, int degree)
+{
+    double largest = 0.0;
+    for (int r = 1; r <= degree; ++r)
+    {
+        double sum = 0.0;
+        for (int k = 0; k <= degree; ++k)
+            sum += std::abs(matrix[r * (degree + 1) + k] - matrix[(r - 1) * (degree + 1) + k]);
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+} // namespace
 
 Eigen::Vector3d RationalPiece::centre() const
 {
@@ -37,23 +59,39 @@ void SplinePieces::append_controls(std::size_t i, std::size_t j, const Eigen::Ve
     const SpanExtraction &along_v = (*m_v)[j];
     const double *matrix_u = along_u.matrix.data();
     const double *matrix_v = along_v.matrix.data();
+    const auto shifted = [&](Eigen::Vector4d homogeneous) {
+        homogeneous.head<3>() -= homogeneous.w() * origin;
+        return homogeneous;
+    };
     m_rows.assign(static_cast<std::size_t>((p + 1) * (q + 1)), Eigen::Vector4d::Zero());
+    m_first.resize(static_cast<std::size_t>(q + 1));
+    m_reach = {0.0, 0.0, largest_change(matrix_u, p), largest_change(matrix_v, q)};
     for (int l = 0; l <= q; ++l)
-        for (int k = 0; k <= p; ++k)
+    {
+        const Eigen::Vector4d &first = m_spline->pole(along_u.first, along_v.first + l);
+        m_first[static_cast<std::size_t>(l)] = shifted(first);
+        m_reach.along_v = std::max(m_reach.along_v, m_first[static_cast<std::size_t>(l)].norm());
+        for (int k = 1; k <= p; ++k)
         {
-            Eigen::Vector4d pole = m_spline->pole(along_u.first + k, along_v.first + l);
-            pole.head<3>() -= pole.w() * origin;
+            const Eigen::Vector4d step = shifted(m_spline->pole(along_u.first + k, along_v.first + l) - first);
+            m_reach.across_u = std::max(m_reach.across_u, step.norm());
             for (int r = 0; r <= p; ++r)
-                m_rows[static_cast<std::size_t>(r * (q + 1) + l)] += matrix_u[r * (p + 1) + k] * pole;
+                m_rows[static_cast<std::size_t>(r * (q + 1) + l)] += matrix_u[r * (p + 1) + k] * step;
         }
+    }
+    const auto combined = [&](int s, const Eigen::Vector4d *row) {
+        Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+        for (int l = 0; l <= q; ++l)
+            sum += matrix_v[s * (q + 1) + l] * row[l];
+        return sum;
+    };
+    m_common.clear();
+    for (int s = 0; s <= q; ++s)
+        m_common.push_back(combined(s, m_first.data()));
     for (int r = 0; r <= p; ++r)
         for (int s = 0; s <= q; ++s)
-        {
-            Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-            for (int l = 0; l <= q; ++l)
-                sum += matrix_v[s * (q + 1) + l] * m_rows[static_cast<std::size_t>(r * (q + 1) + l)];
-            controls.push_back(sum);
-        }
+            controls.push_back(m_common[static_cast<std::size_t>(s)] +
+                               combined(s, &m_rows[static_cast<std::size_t>(r * (q + 1))]));
 }
 
 void SplinePieces::cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece)

@@ -24,6 +24,15 @@ struct RationalPiece
     void halve(bool along_u, RationalPiece &upper);
 };
 
+//! What the rounding of a piece's control points goes with.
+struct PieceReach
+{
+    double across_u = 0.0; //!< how far the poles reach from those of their first row, in homogeneous coordinates
+    double along_v = 0.0;  //!< how far that row reaches from the origin
+    double change_u = 2.0; //!< how far two control points that are neighbours in u may part for poles that are off by 1
+    double change_v = 2.0; //!< in v
+};
+
 //! Cuts a spline along breaks that hold at least its own knots. Copies share the tables and have a workspace of their
 //! own: one copy serves one thread.
 class SplinePieces
@@ -37,7 +46,11 @@ public:
     //! The piece on [us[i], us[i+1]] x [vs[j], vs[j+1]] relative to `origin`.
     void cut(std::size_t i, std::size_t j, const Eigen::Vector3d &origin, RationalPiece &piece);
 
-    //! The homogeneous control points of the same piece, appended to others, all v to one u together.
+    //! That of the piece cut last.
+    [[nodiscard]] const PieceReach &reach() const { return m_reach; }
+
+    //! The homogeneous control points of the same piece, appended to others, all v to one u together. What they have in common
+    //! along u is added last, so that their differences lose nothing to it on pieces that are narrow in u.
     void append_controls(std::size_t i, std::size_t j, const Eigen::Vector3d &origin,
                          std::vector<Eigen::Vector4d> &controls);
 
@@ -46,6 +59,9 @@ private:
     std::shared_ptr<const std::vector<SpanExtraction>> m_u;
     std::shared_ptr<const std::vector<SpanExtraction>> m_v;
     std::vector<Eigen::Vector4d> m_rows;
+    std::vector<Eigen::Vector4d> m_first; //!< row of poles
+    std::vector<Eigen::Vector4d> m_common;
+    PieceReach m_reach;
     std::vector<Eigen::Vector4d> m_controls;
 };
 

@@ -46,6 +46,9 @@ struct Piece
     RationalPiece offset;      //!< its weight function is the base's, or 1
     bool shared_weight = true; //!< numerators stand over the same weight function
     double extent = 0.0;       //!< largest absolute coordinate before the shift, for the rounding bound
+    double local = 0.0;        //!< longest coefficient of the base's numerator after it
+    PieceReach reach;          //!< of the base's poles
+    double poles = 0.0;        //!< largest coordinate of them all
     double weight_gap = 0.0;   //!< bound of the offset's own weight function minus the base's
 
     [[nodiscard]] const Bernstein &omega() const { return base.omega; }
@@ -92,7 +95,8 @@ struct Frame
     double a_error = 0.0;   //!< rounding of a / omega^2 [mm^2]
     double b_error = 0.0;   //!< rounding of the tangential part [mm]
     int b_weight_power = 1; //!< power of omega that divides b and c
-    double slope = 0.0;     //!< turn of T1, T2 or M for an error of 1 mm in the derivatives [1/mm]
+    double slope_u = 0.0;   //!< turn of T1, T2 or M for an error of 1 mm in the derivative by u [1/mm]
+    double slope_v = 0.0;   //!< by v
     bool general = false;
 };
 
@@ -108,8 +112,8 @@ class PieceProver
 {
 public:
     explicit PieceProver(const CertificateRequest &request)
-        : m_d(request.distance), m_target(request.target),
-          m_operations(extraction_operations + request.base_operations), m_rounded_base(request.base_operations > 0.0)
+        : m_d(request.distance), m_target(request.target), m_operations(extraction_operations),
+          m_base_operations(request.base_operations)
     {
         for (const TensorSpline *spline : {&request.base, &request.offset})
             for (const int degree : {spline->u.degree, spline->v.degree})
@@ -126,6 +130,7 @@ public:
 private:
     double prove(Piece &piece, int depth)
     {
+        m_depth = depth;
         double bound = try_frame(piece, false);
         if (bound > m_target)
             bound = std::min(bound, try_frame(piece, true));
@@ -274,7 +279,8 @@ private:
         const double trace = h1 * h1 + h2 * h2;
         const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * area * area)));
         frame.gram = (1.0 + 1e-9) * largest / (area * area);
-        frame.slope = 1.0 / std::sqrt(std::min(e, g));
+        frame.slope_u = (1.0 + std::abs(f) / std::sqrt(e * g)) / std::sqrt(e);
+        frame.slope_v = 1.0 / std::sqrt(g);
         assign_dot(m_w, m_t1, scalars.b);
         assign_dot(m_w, m_t2, scalars.c);
         return true;
@@ -305,8 +311,8 @@ private:
                 for (Bernstein &component : m_divided)
                     component.divide(border);
         const double unit = 1.0 / longest(m_divided);
-        frame.slope =
-            (longest(m_tangents.derivative_u().numerator) + longest(m_tangents.derivative_v().numerator)) * unit;
+        frame.slope_u = longest(m_tangents.derivative_v().numerator) * unit;
+        frame.slope_v = longest(m_tangents.derivative_u().numerator) * unit;
         for (Bernstein &component : m_divided)
             component.scale(unit);
         for (Bernstein *component : {&scalars.b, &scalars.c, &scalars.third})
@@ -345,17 +351,34 @@ private:
         const double w = longest(m_w) / weights.low;
         const double size =
             std::max({longest(piece.base.numerator), longest(piece.offset.numerator), piece.extent}) / weights.low;
-        const double w_error =
-            m_operations * epsilon * size * (weights.high / weights.low) + piece.weight_gap * size / weights.low;
+        const double w_error = (m_operations + m_base_operations) * epsilon * size * (weights.high / weights.low) +
+                               piece.weight_gap * size / weights.low;
         const double ratio = weights.high / weights.low;
         const double products = product_operations * epsilon * std::max(1.0, terms(m_w[0]) / usual_terms);
         frame.a_error = 2.0 * w * w_error + w_error * w_error + products * (w * w + std::pow(m_d * ratio, 2));
-        // Poles that nearly agree, on short pieces or under skewed parameters, leave little of their difference.
-        const int degree = std::max(piece.base.numerator[0].degree_u(), piece.base.numerator[0].degree_v());
-        const bool of_far = piece.base.rational() || m_rounded_base;
-        const double local = longest(piece.base.numerator) / weights.low + (of_far ? piece.extent : 0.0);
-        const double derivative_error = 2.0 * degree * m_operations * epsilon * local * ratio * ratio;
-        frame.b_error = w_error + w * (products + frame.slope * derivative_error);
+        frame.b_error = w_error + w * (products + turn_of_rounding(piece, weights, frame));
+    }
+
+    //! Poles that nearly agree, on short pieces or under skewed parameters, leave little of their difference.
+    [[nodiscard]] double turn_of_rounding(const Piece &piece, const Bernstein::Range &weights, const Frame &frame) const
+    {
+        const double p = piece.base.numerator[0].degree_u();
+        const double q = piece.base.numerator[0].degree_v();
+        if (piece.base.rational())
+        {
+            const double ratio = weights.high / weights.low;
+            const double local = longest(piece.base.numerator) / weights.low + piece.extent;
+            return (frame.slope_u + frame.slope_v) * 2.0 * std::max(p, q) * (m_operations + m_base_operations) *
+                   epsilon * local * ratio * ratio;
+        }
+        // what a row has in common is added last and rounded once, and again in every halving
+        const double last = (2.0 + 2.0 * std::max(p, q) * m_depth) * piece.local;
+        const PieceReach &reach = piece.reach;
+        const double of_poles = std::sqrt(3.0) * m_base_operations * piece.poles;
+        const double in_u = p * (2.0 * (last + m_operations * reach.across_u) + reach.change_u * of_poles);
+        const double in_v =
+            q * (2.0 * (last + m_operations * (reach.along_v + reach.across_u)) + reach.change_v * of_poles);
+        return epsilon * (frame.slope_u * in_u + frame.slope_v * in_v);
     }
 
     //! Products of two coefficients that may add up in one of a product's.
@@ -448,9 +471,10 @@ private:
     double m_d;
     double m_target;
     double m_operations;
-    bool m_rounded_base;
+    double m_base_operations;
     bool m_sign_holds = true;
     int m_steps = 0;
+    int m_depth = 0; //!< halvings of the rectangle that is being proven
     Corners m_corner_weights = Corners::Ones();
     PieceTangents m_tangents;
     Bernstein3 m_w, m_t1, m_t2, m_divided;
@@ -459,12 +483,21 @@ private:
     Scalars m_spare;
 };
 
+double largest_coordinate(const TensorSpline &spline)
+{
+    double largest = 0.0;
+    for (const Eigen::Vector4d &pole : spline.poles)
+        largest = std::max(largest, pole.head<3>().cwiseAbs().maxCoeff() / pole.w());
+    return largest;
+}
+
 //! Cuts both splines along their merged knots.
 class PairCutter
 {
 public:
     explicit PairCutter(const CertificateRequest &request)
         : m_rational_base(request.base.rational), m_rational_offset(request.offset.rational),
+          m_poles(largest_coordinate(request.base)),
           m_us(merged_breaks(request.base.u.breaks(), request.offset.u.breaks())),
           m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())), m_base(request.base, m_us, m_vs),
           m_offset(request.offset, m_us, m_vs)
@@ -485,6 +518,9 @@ public:
         piece.extent = origin.cwiseAbs().maxCoeff();
         piece.shared_weight = m_rational_offset || !m_rational_base;
         m_base.cut(i, j, origin, piece.base);
+        piece.local = longest(piece.base.numerator);
+        piece.reach = m_base.reach();
+        piece.poles = m_poles;
         m_offset.cut(i, j, origin, piece.offset);
         piece.weight_gap = m_rational_offset ? gap(piece) : 0.0;
     }
@@ -503,6 +539,7 @@ private:
 
     bool m_rational_base;
     bool m_rational_offset;
+    double m_poles;
     std::vector<double> m_us;
     std::vector<double> m_vs;
     SplinePieces m_base;
