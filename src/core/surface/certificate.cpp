@@ -34,6 +34,7 @@ constexpr double collapsed = 1e-11;
 // tests compare with interval arithmetic. Matrices of an extraction take six roundings a degree, in both directions:
 // the degrees that are usual leave room for that.
 constexpr double extraction_operations = 160.0;
+constexpr double roundings_per_degree = 8.0; // of a matrix and of the sums over it
 constexpr int usual_degree = 8;
 constexpr double operations_per_degree = 12.0;
 constexpr double product_operations = 512.0;
@@ -374,10 +375,11 @@ private:
         // what a row has in common is added last and rounded once, and again in every halving
         const double last = (2.0 + 2.0 * std::max(p, q) * m_depth) * piece.local;
         const PieceReach &reach = piece.reach;
+        const double extraction = roundings_per_degree * (p + q + 1.0);
         const double of_poles = std::sqrt(3.0) * m_base_operations * piece.poles;
-        const double in_u = p * (2.0 * (last + m_operations * reach.across_u) + reach.change_u * of_poles);
+        const double in_u = p * (2.0 * (last + extraction * reach.across_u) + reach.change_u * of_poles);
         const double in_v =
-            q * (2.0 * (last + m_operations * (reach.along_v + reach.across_u)) + reach.change_v * of_poles);
+            q * (2.0 * (last + extraction * (reach.along_v + reach.across_u)) + reach.change_v * of_poles);
         return epsilon * (frame.slope_u * in_u + frame.slope_v * in_v);
     }
 
