@@ -3,6 +3,8 @@
 
 #include "row_compression.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -54,7 +56,7 @@ int full_multiplicity(const DataBreak &b, int degree) { return std::clamp(degree
 class SampledData
 {
 public:
-    explicit SampledData(const KnotProblem &problem) : m_problem(problem)
+    explicit SampledData(const KnotProblem &problem) : m_problem(&problem)
     {
         if (problem.fine)
         {
@@ -72,7 +74,7 @@ public:
     //! Where some span holds hardly more samples than its knots bring poles, takes more in all spans that hold few.
     void densify(const KnotVector &kv)
     {
-        if (m_problem.fine)
+        if (m_problem->fine)
             return;
         bool short_of_samples = false;
         std::vector<double> added;
@@ -96,8 +98,8 @@ public:
     //! The least-squares problem of these data over some knots.
     [[nodiscard]] std::optional<LeastSquaresFit> fit_over(const KnotVector &kv) const
     {
-        return m_problem.fine ? LeastSquaresFit::make_reduction(kv, *m_problem.fine)
-                              : LeastSquaresFit::make(kv, m_parameters);
+        return m_problem->fine ? LeastSquaresFit::make_reduction(kv, *m_problem->fine)
+                               : LeastSquaresFit::make(kv, m_parameters);
     }
 
     [[nodiscard]] const std::vector<double> &parameters() const { return m_parameters; }
@@ -107,7 +109,7 @@ private:
     //! Adds the samples at increasing parameters to those that are there, and compresses all.
     void take(const std::vector<double> &added)
     {
-        const RowMatrix samples = m_problem.sample(added);
+        const RowMatrix samples = m_problem->sample(added);
         std::vector<double> parameters(m_parameters.size() + added.size());
         RowMatrix all(static_cast<Eigen::Index>(parameters.size()), samples.cols());
         std::size_t i = 0;
@@ -121,10 +123,10 @@ private:
         }
         m_parameters = std::move(parameters);
         m_samples = std::move(all);
-        m_rows = compress(m_samples, compression_share * m_problem.tolerance);
+        m_rows = compress(m_samples, compression_share * m_problem->tolerance);
     }
 
-    const KnotProblem &m_problem;
+    const KnotProblem *m_problem;
     std::vector<double> m_parameters;
     RowMatrix m_samples;
     CompressedRows m_rows;
@@ -460,9 +462,16 @@ public:
     std::optional<KnotChoice> run()
     {
         const bool smooth_first = !try_degree(degree_order[0], first_poles()) && try_degree(smooth_degree);
+        std::vector<int> others;
         for (const int degree : degree_order)
             if (degree != (smooth_first ? smooth_degree : degree_order[0]) || !m_best)
-                try_degree(degree);
+                others.push_back(degree);
+        const std::size_t lanes = m_problem.two_at_once && m_best ? 2 : 1;
+        for (std::size_t i = 0; i < others.size(); i += lanes)
+            if (i + 1 < others.size() && lanes == 2)
+                try_both(others[i], others[i + 1]);
+            else
+                try_degree(others[i]);
         return m_best;
     }
 
@@ -481,6 +490,18 @@ private:
         for (const DataBreak &b : m_problem.breaks)
             poles += std::max(1, degree_order[0] - b.continuity);
         return smooth_degree <= m_problem.max_degree ? poles : m_problem.max_poles;
+    }
+
+    //! What both know before is the same, so that the outcome does not depend on which is faster.
+    void try_both(int first, int second)
+    {
+        DegreeChoice other = *this;
+        tbb::parallel_invoke([&] { try_degree(first); }, [&] { other.try_degree(second); });
+        if (other.m_best->knots.pole_count() < m_best->knots.pole_count())
+            m_best = std::move(other.m_best);
+        if (other.m_data.parameters().size() > m_data.parameters().size())
+            m_data = std::move(other.m_data);
+        m_part_left = std::min(m_part_left, other.m_part_left);
     }
 
     //! \return whether the degree reaches the tolerance.

@@ -40,6 +40,7 @@ struct KnotProblem
     int min_degree = 1;
     int max_degree = 7;
     int max_poles = 4000;
+    bool two_at_once = false; //!< try two degrees at a time, each on a thread of its own
 };
 
 //! The chosen spline space and the largest error seen at the samples.

@@ -129,6 +129,8 @@ std::optional<FitSpace> choose_space(OffsetSampler &sampler, double tolerance, c
     along_v.sample = [&](const std::vector<double> &vs) { return sampler.joined_rows(rows_u, vs, true); };
     along_u.start = start ? &start->u : nullptr;
     along_v.start = start ? &start->v : nullptr;
+    along_u.two_at_once = few_v; // the other direction leaves a thread free
+    along_v.two_at_once = few_u;
     if (sampler.denominator() == Denominator::BaseWeight)
         fit_over_weight(*base.spline(), along_u, along_v);
     const auto [u, v] = most_poles < std::numeric_limits<int>::max() ? choose_both(along_u, along_v, most_poles)

@@ -143,6 +143,11 @@ ErrorAt proven_bound(const SurfaceAnalysis &analysis, const TensorSpline &spline
     return {of_model + certificate.bound, gp_Pnt2d(0.5 * (worst.umin + worst.umax), 0.5 * (worst.vmin + worst.vmax))};
 }
 
+bool same(const FitSpace &a, const FitSpace &b)
+{
+    return a.u.degree == b.u.degree && a.v.degree == b.v.degree && a.u.knots == b.u.knots && a.v.knots == b.v.knots;
+}
+
 const ErrorAt &larger(const ErrorAt &a, const ErrorAt &b) { return b.error > a.error ? b : a; }
 
 class OneSpaceFitter
@@ -194,6 +199,8 @@ public:
             if (attempt->extra >= m_request.tolerance) // a closer fit would not help
                 break;
             share *= std::clamp(0.9 * m_request.tolerance / worst.error, 0.3, 0.8);
+            if (worth_proving)
+                m_unproven = attempt->space;
             space_before = std::move(attempt->space);
         }
         return unreached();
@@ -231,7 +238,7 @@ private:
         const double widening = std::min(widest, easily_proven_share * m_request.tolerance / close.seen.error);
         std::optional<FitSpace> space =
             choose_space(*m_sampler, widening * tolerance, m_options, any_poles, &close.space);
-        if (!space || space->poles() > worth_less * close.space.poles())
+        if (!space || space->poles() > worth_less * close.space.poles() || (m_unproven && same(*space, *m_unproven)))
             return std::nullopt;
         std::optional<Attempt> wider = fit_over(std::move(*space));
         if (!wider || wider->seen.error > easily_proven_share * m_request.tolerance)
@@ -331,6 +338,7 @@ private:
     std::optional<OffsetSampler> m_rational;
     OffsetSampler *m_sampler = nullptr;
     std::optional<ErrorAt> m_closest;
+    std::optional<FitSpace> m_unproven; //!< the last space whose fit could not be proven
 };
 
 } // namespace
