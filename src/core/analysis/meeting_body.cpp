@@ -38,9 +38,8 @@ const std::vector<SheetBounds> &MeetingBody::patch(int index)
     {
         const ParameterBox box = tree().node(index).box;
         const double u = 0.5 * (box.umin + box.umax), v = 0.5 * (box.vmin + box.vmax);
-        known.push_back({m_sheets.front()->at(u, v), tree().node(index).bounds});
-        for (std::size_t k = 1; k < m_sheets.size(); ++k)
-            known.push_back({m_sheets[k]->at(u, v), m_sheets[k]->tree.bounds_over(box)});
+        for (const auto &sheet : m_sheets)
+            known.push_back({sheet->at(u, v), sheet->tree.bounds_over(box)});
     }
     return known;
 }
