@@ -21,6 +21,8 @@ namespace
 constexpr double flat_curvature = 1e-9;
 // A model that is flat is one of a flat base as long as its curvature is this many times as uncertain as rounding.
 constexpr double model_flatness = 1e3;
+// With more C0 knots than these, facets mostly, a model is made before creases are looked for: it has few of them left.
+constexpr std::ptrdiff_t most_kinks_without_model = 8;
 // Relative width between what is proven and what is attained that is good enough for a feasible distance.
 constexpr double feasible_gap = 0.1;
 
@@ -100,6 +102,15 @@ SurfaceAnalysis unchecked(const InputFace &input, double distance, double tolera
             std::nullopt};
 }
 
+//! Knots of both directions where the surface is only C0.
+std::ptrdiff_t kinks(const BaseSurface &base)
+{
+    const auto is_kink = [](const SmoothnessBreak &b) { return b.continuity <= 0; };
+    return std::count_if(base.breaks_u().begin(), base.breaks_u().end(), is_kink) +
+           std::count_if(base.breaks_v().begin(), base.breaks_v().end(), is_kink);
+}
+
+//! The normals of a light model may stand for the base's: they differ by far less than a crease.
 Result<bool> check_creases(const SurfaceAnalysis &analysis, const InputFace &input, double distance, double tolerance)
 {
     const double farther = farther_distance(input, distance);
@@ -147,14 +158,19 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
 {
     SurfaceAnalysis analysis = unchecked(input, distance, tolerance);
     BaseSurface &base = analysis.base;
-    if (const auto smooth = check_creases(analysis, input, distance, tolerance); !smooth)
-        return smooth.failure();
+    const bool few_kinks = kinks(base) <= most_kinks_without_model;
+    if (few_kinks)
+        if (const auto smooth = check_creases(analysis, input, distance, tolerance); !smooth)
+            return smooth.failure(); // a model would have been in vain
     std::optional<LightModel> light;
     if (base.spline() && !base.strip()) // the models of swept surfaces are light
         light = light_model(*base.spline(), distance, tolerance);
     const bool has_curvature = light && std::isfinite(light->error.curvature);
     if (has_curvature)
         base.adopt_model(std::move(light->spline), light->error);
+    if (!few_kinks)
+        if (const auto smooth = check_creases(analysis, input, distance, tolerance); !smooth)
+            return smooth.failure();
     if (const auto regular = check_base_distance(analysis, input); !regular)
         return regular.failure();
     find_limits(analysis, input, distance, refusal_gap);
