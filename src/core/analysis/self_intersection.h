@@ -8,7 +8,8 @@
 //! - when their boxes, or the control points along the pieces' normals, lie apart;
 //! - when the surface is one-to-one over the rectangle that holds both (PatchBounds::one_to_one): this settles
 //!   neighbours, also across the seam of a closed surface, where parameters go on beyond their period;
-//! - when both lie at the same collapsed side (a pole) and their normals differ by less than 60 degrees.
+//! - when both lie at the same side of the base that is a point (a pole, an apex), their normals differ by less than 60 degrees,
+//!   and the offset has not run through that point and out on its other side by more than the tolerance.
 //! Else the rectangles are halved: one with itself across the direction in which its derivatives vary more, the
 //! larger of a pair across its longer side. Nearly every face is settled whole, from the poles alone.
 //!
