@@ -320,3 +320,48 @@ TEST(Creases, AC0KnotWithoutAJumpOfTheNormalIsNoCrease)
     ASSERT_EQ(surface->UMultiplicity(2), 3);
     EXPECT_TRUE(offset(BRepBuilderAPI_MakeFace(surface, 1e-7).Face(), 20.0, 1e-5).ok());
 }
+
+// OpenCASCADE cuts a periodic surface millimetres beside where it was asked to when an end misses the period's by rounding.
+TEST(BaseSurface, IsTheSurfaceWhereverRoundingHasPutTheEndsOfAPeriod)
+{
+    int cut = 0;
+    for (const int multiplicity : {1, 2})
+        for (const bool swapped : {false, true})
+        {
+            const Handle(Geom_BSplineSurface) tube = wavy_tube(40.0);
+            tube->IncreaseUMultiplicity(1, tube->NbUKnots(), multiplicity);
+            tube->InsertVKnot(0.5 * (tube->VKnot(1) + tube->VKnot(tube->NbVKnots())), 1, 1e-9);
+            double u0, u1, v0, v1;
+            tube->Bounds(u0, u1, v0, v1);
+            const double period = u1 - u0;
+            const double third = (v1 - v0) / 3.0;
+            if (swapped)
+                tube->ExchangeUV();
+            for (const double off : {-1e-12, -1e-14, 0.0, 1e-14, 1e-12})
+                for (const double other_off : {-1e-14, 0.0, 1e-14})
+                    for (const double turns : {-1.0, 0.0, 1.0})
+                        for (const double length : {0.4, 1.0})
+                        {
+                            SCOPED_TRACE(testing::Message()
+                                         << "multiplicity " << multiplicity << " swapped " << swapped << " off " << off
+                                         << ' ' << other_off << " turns " << turns << " length " << length);
+                            const double low = u0 + (turns + off) * period;
+                            const double high = u0 + (turns + length + other_off) * period;
+                            const ParameterBox box = swapped ? ParameterBox{v0 + third, v1, low, high}
+                                                             : ParameterBox{low, high, v0 + third, v1};
+                            const BaseSurface base(tube, box);
+                            ASSERT_TRUE(base.spline());
+                            for (int i = 0; i <= 20; ++i)
+                                for (int j = 0; j <= 4; ++j)
+                                {
+                                    const double u = box.umin + (box.umax - box.umin) * (0.001 + 0.998 * i / 20.0);
+                                    const double v = box.vmin + (box.vmax - box.vmin) * (0.001 + 0.998 * j / 4.0);
+                                    const gp_Pnt exact = tube->Value(u, v);
+                                    const Eigen::Vector3d seen = base.jets({u}, {v}, 0).front().s;
+                                    EXPECT_LT((seen - Eigen::Vector3d(exact.X(), exact.Y(), exact.Z())).norm(), 1e-9);
+                                    ++cut;
+                                }
+                        }
+        }
+    EXPECT_GT(cut, 10000);
+}

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 namespace laminate_offset
 {
@@ -40,11 +41,15 @@ constexpr double singular_sine = 1e-9;
 // The limit of the normal at a singular place is accepted when two nested probes agree to this angle [rad].
 constexpr double limit_agreement = 1e-4;
 
-Handle(Geom_BSplineSurface) restricted(const Handle(Geom_BSplineSurface) & surface, const ParameterBox &box)
+Handle(Geom_BSplineSurface) restricted(const Handle(Geom_BSplineSurface) & surface, ParameterBox box)
 {
     Handle(Geom_BSplineSurface) copy = Handle(Geom_BSplineSurface)::DownCast(surface->Copy());
     double u0, u1, v0, v1;
     copy->Bounds(u0, u1, v0, v1);
+    if (copy->IsUPeriodic())
+        std::tie(box.umin, box.umax) = period_cut(box.umin, box.umax, u0, u1);
+    if (copy->IsVPeriodic())
+        std::tie(box.vmin, box.vmax) = period_cut(box.vmin, box.vmax, v0, v1);
     const bool whole = box.umin <= u0 && box.umax >= u1 && box.vmin <= v0 && box.vmax >= v1;
     const bool outside = box.umin < u0 || box.umax > u1 || box.vmin < v0 || box.vmax > v1;
     const bool wraps = outside && (copy->IsUPeriodic() || copy->IsVPeriodic());

@@ -15,6 +15,7 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include <cmath>
+#include <tuple>
 
 namespace laminate_offset
 {
@@ -34,6 +35,8 @@ Handle(Geom_BSplineCurve) as_spline(const Handle(Geom_Curve) & curve)
 
 ProfileSpline from_spline(Geom_BSplineCurve &curve, double low, double high)
 {
+    if (curve.IsPeriodic())
+        std::tie(low, high) = period_cut(low, high, curve.FirstParameter(), curve.LastParameter());
     if (low > curve.FirstParameter() || high < curve.LastParameter() || curve.IsPeriodic())
         curve.Segment(low, high);
     if (curve.IsPeriodic())

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace laminate_offset
 {
@@ -139,8 +140,10 @@ TensorSpline spline_over(const Handle(Geom_BSplineSurface) & surface, const Para
         return from_geom(copy);
     double u0, u1, v0, v1;
     copy->Bounds(u0, u1, v0, v1);
-    copy->IsUPeriodic() ? (u0 = box.umin, u1 = box.umax) : 0.0;
-    copy->IsVPeriodic() ? (v0 = box.vmin, v1 = box.vmax) : 0.0;
+    if (copy->IsUPeriodic())
+        std::tie(u0, u1) = period_cut(box.umin, box.umax, u0, u1);
+    if (copy->IsVPeriodic())
+        std::tie(v0, v1) = period_cut(box.vmin, box.vmax, v0, v1);
     copy->Segment(u0, u1, v0, v1);
     TensorSpline spline = from_geom(copy);
     realign(spline.u, u0, u1);

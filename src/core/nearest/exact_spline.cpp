@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace laminate_offset
 {
@@ -107,7 +108,10 @@ Profile spline_profile(const Handle(Geom_BSplineCurve) & whole, double low, doub
     if (!curve->IsPeriodic())
         curve->Segment(std::max(low, curve->FirstParameter()), std::min(high, curve->LastParameter()));
     else
+    {
+        std::tie(low, high) = period_cut(low, high, curve->FirstParameter(), curve->LastParameter());
         curve->Segment(low, high);
+    }
     Profile profile;
     profile.knots.degree = curve->Degree();
     const TColStd_Array1OfReal &knots = curve->KnotSequence();

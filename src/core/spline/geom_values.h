@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <gp_XYZ.hxx>
+#include <utility>
 
 namespace laminate_offset
 {
@@ -22,6 +23,10 @@ template <class Curve> KnotVector knots_of(const Curve &curve)
         kv.knots.insert(kv.knots.end(), static_cast<std::size_t>(curve.Multiplicity(i)), curve.Knot(i));
     return kv;
 }
+
+//! Where to cut a periodic curve or surface. OpenCASCADE takes another piece, off by millimetres, where an end misses the
+//! period's own by rounding: such an end is that one, and what is as long as the period is one period.
+std::pair<double, double> period_cut(double low, double high, double first, double last);
 
 //! Cutting a periodic curve or surface may move its parameters by whole periods: back to [low, high].
 void realign(KnotVector &kv, double low, double high);
