@@ -171,9 +171,12 @@ BaseSurface::BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBo
             realign(m_spline->u, box.umin, box.umax);
         if (surface->IsVPeriodic())
             realign(m_spline->v, box.vmin, box.vmax);
-        const UndoneRounding undone = undo_rounding(*m_spline);
-        m_model_error.point = undone.moved;
-        m_rounding = undone.operations;
+        if (demand)
+        {
+            const UndoneRounding undone = undo_rounding(*m_spline, demand->distance, demand->tolerance);
+            m_model_error.point = undone.moved;
+            m_rounding = undone.operations;
+        }
         m_box = {m_spline->u.front(), m_spline->u.back(), m_spline->v.front(), m_spline->v.back()};
         m_breaks_u = spline_breaks(m_spline->u);
         m_breaks_v = spline_breaks(m_spline->v);
@@ -203,6 +206,7 @@ void BaseSurface::adopt_model(TensorSpline model, const ModelError &error)
     m_model_error.point += error.point;
     m_model_error.normal += error.normal;
     m_model_error.curvature += error.curvature;
+    m_rounding = 0.0;
     m_breaks_u = spline_breaks(model.u);
     m_breaks_v = spline_breaks(model.v);
     m_spline = std::move(model);

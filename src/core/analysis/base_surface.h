@@ -61,11 +61,11 @@ class BaseSurface
 {
 public:
     //! \param box part of the surface that has to be evaluated; a spline base is cut down to it.
-    //! \param demand empty: only a surface that is a spline itself becomes one.
+    //! \param demand empty: only a surface that is a spline itself becomes one, and it stays as it is.
     BaseSurface(const Handle(Geom_Surface) & surface, const ParameterBox &box,
                 const std::optional<ModelDemand> &demand = std::nullopt);
 
-    //! From here on another spline, within `error` of this one and over the same box, stands for the base.
+    //! From here on another spline, within `error` of this one, rounding() included, and over the same box, stands for the base.
     void adopt_model(TensorSpline model, const ModelError &error);
 
     [[nodiscard]] const ParameterBox &box() const { return m_box; }

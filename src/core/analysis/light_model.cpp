@@ -399,6 +399,14 @@ double extent(const TensorSpline &spline)
     return hull.sizes().norm();
 }
 
+double largest_coordinate(const TensorSpline &spline)
+{
+    double largest = 0.0;
+    for (const Eigen::Vector4d &pole : spline.poles)
+        largest = std::max(largest, pole.head<3>().cwiseAbs().maxCoeff());
+    return largest;
+}
+
 std::size_t spans(const TensorSpline &spline)
 {
     return (spline.u.breaks().size() - 1) * (spline.v.breaks().size() - 1);
@@ -407,9 +415,10 @@ std::size_t spans(const TensorSpline &spline)
 class ModelSearch
 {
 public:
-    ModelSearch(const TensorSpline &base, double distance)
+    ModelSearch(const TensorSpline &base, double distance, double base_operations)
         : m_reduction(base), m_spans(spans(base)), m_distance(std::abs(distance)), m_bounds(base),
-          m_flat(flat_curvature / extent(base))
+          m_flat(flat_curvature / extent(base)),
+          m_base_rounding(base_operations * std::numeric_limits<double>::epsilon() * largest_coordinate(base))
     {
     }
 
@@ -428,6 +437,7 @@ public:
             model = m_reduction.within(goal, model ? &*model : nullptr);
             if (!model)
                 return std::nullopt;
+            model->rounding += m_base_rounding;
             ModelError error = m_bounds.error(*model);
             if (!with_curvature)
                 with_curvature = curvature_of_rounding(*model) <= curvature_allowance;
@@ -465,6 +475,7 @@ private:
     double m_distance;
     BaseBounds m_bounds;
     double m_flat;
+    double m_base_rounding; //!< of each coordinate of the base's poles
 };
 
 //! Fewer facets have sharper kinks between them, which an offset would follow with many poles.
@@ -472,13 +483,14 @@ bool smooth(const KnotVector &kv) { return kv.degree > 1 || kv.breaks().size() =
 
 } // namespace
 
-std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance)
+std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance,
+                                      double base_operations)
 {
     constexpr int second_derivative = 2;
     const bool too_few = std::min(base.u.pole_count(), base.v.pole_count()) <= second_derivative;
     if (base.rational || spans(base) < least_spans || too_few)
         return std::nullopt;
-    ModelSearch search(base, distance);
+    ModelSearch search(base, distance, base_operations);
     if (search.is_hopeless())
         return std::nullopt;
     for (const double share : tolerance_shares)

@@ -27,7 +27,9 @@ struct LightModel
 
 //! \param distance [mm] at which the model serves an offset.
 //! \param tolerance [mm] of that offset; the model takes a few percent of it.
+//! \param base_operations how far the poles may be from those that are meant (CertificateRequest): the error includes that.
 //! \return nothing where the base has few spans, or needs most of them, or has places without a normal.
-std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance);
+std::optional<LightModel> light_model(const TensorSpline &base, double distance, double tolerance,
+                                      double base_operations = 0.0);
 
 } // namespace laminate_offset

@@ -233,26 +233,37 @@ private:
         return bounds.one_to_one();
     }
 
-    //! The sides of the whole base that are points, as bits.
+    //! The sides of the whole base that are points, as bits: the poles show it, of any other base samples.
     [[nodiscard]] unsigned base_points() const
     {
-        constexpr int samples = 9;
+        return (is_point(true, false) ? low_u : 0U) | (is_point(true, true) ? high_u : 0U) |
+               (is_point(false, false) ? low_v : 0U) | (is_point(false, true) ? high_v : 0U);
+    }
+
+    [[nodiscard]] bool is_point(bool constant_u, bool at_end) const
+    {
+        const BaseSurface &base = m_query.analysis.base;
         const ParameterBox &box = m_tree.node(PatchTree::root()).box;
-        const double tiny = 1e-2 * m_resolution;
-        const auto is_point = [&](double u0, double v0, double u1, double v1) {
-            const auto at = [&](int k) {
-                const double t = static_cast<double>(k) / (samples - 1);
-                return m_query.analysis.base.jets({u0 + t * (u1 - u0)}, {v0 + t * (v1 - v0)}, 0).front().s;
-            };
-            for (int k = 1; k < samples; ++k)
-                if ((at(k) - at(0)).norm() >= tiny)
-                    return false;
-            return true;
+        const std::optional<TensorSpline> &spline = base.spline();
+        constexpr int samples = 33;
+        const int count = !spline ? samples : (constant_u ? spline->v : spline->u).pole_count();
+        const auto at = [&](int k) -> Eigen::Vector3d {
+            if (spline)
+            {
+                const int last = (constant_u ? spline->u : spline->v).pole_count() - 1;
+                const int row = at_end ? last : 0;
+                const Eigen::Vector4d &pole = constant_u ? spline->pole(row, k) : spline->pole(k, row);
+                return pole.head<3>() / pole.w();
+            }
+            const double t = static_cast<double>(k) / (samples - 1);
+            const double u = constant_u ? (at_end ? box.umax : box.umin) : box.umin + t * (box.umax - box.umin);
+            const double v = constant_u ? box.vmin + t * (box.vmax - box.vmin) : (at_end ? box.vmax : box.vmin);
+            return base.jets({u}, {v}, 0).front().s;
         };
-        return (is_point(box.umin, box.vmin, box.umin, box.vmax) ? low_u : 0U) |
-               (is_point(box.umax, box.vmin, box.umax, box.vmax) ? high_u : 0U) |
-               (is_point(box.umin, box.vmin, box.umax, box.vmin) ? low_v : 0U) |
-               (is_point(box.umin, box.vmax, box.umax, box.vmax) ? high_v : 0U);
+        for (int k = 1; k < count; ++k)
+            if ((at(k) - at(0)).norm() >= 1e-2 * m_resolution)
+                return false;
+        return true;
     }
 
     //! Those of them that a rectangle touches.

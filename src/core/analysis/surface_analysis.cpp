@@ -164,7 +164,7 @@ Result<SurfaceAnalysis> analyse(const InputFace &input, double distance, double 
             return smooth.failure(); // a model would have been in vain
     std::optional<LightModel> light;
     if (base.spline() && !base.strip()) // the models of swept surfaces are light
-        light = light_model(*base.spline(), distance, tolerance);
+        light = light_model(*base.spline(), distance, tolerance, base.rounding());
     const bool has_curvature = light && std::isfinite(light->error.curvature);
     if (has_curvature)
         base.adopt_model(std::move(light->spline), light->error);

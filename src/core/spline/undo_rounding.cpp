@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <vector>
 
 namespace laminate_offset
 {
@@ -13,50 +13,81 @@ namespace
 
 Eigen::Vector3d point_of(const Eigen::Vector4d &pole) { return pole.head<3>() / pole.w(); }
 
-//! Makes every step-th pole from the first on one point, where they miss it by no more than \p near.
-//! \return how far they have moved [mm], nothing where they miss it by more.
-std::optional<double> close_row(std::vector<Eigen::Vector4d> &poles, std::size_t first, std::size_t step,
-                                std::size_t count, double near)
+//! Rows of poles from a side of the surface on.
+class Rows
 {
-    const Eigen::Vector3d meant = point_of(poles[first]);
-    double moved = 0.0;
-    for (std::size_t k = 0; k < count; ++k)
-        moved = std::max(moved, (point_of(poles[first + k * step]) - meant).norm());
-    if (!(moved <= near))
-        return std::nullopt;
-    for (std::size_t k = 0; k < count; ++k)
-        poles[first + k * step].head<3>() = poles[first + k * step].w() * meant;
-    return moved;
-}
-
-//! Closes a side that is meant to be a point, and the rows behind it that are points as well: the surface runs out into a
-//! cusp there. \return how far the surface has moved [mm].
-double close_side(TensorSpline &spline, bool along_u, bool at_end, double near)
-{
-    const std::size_t nu = spline.u.pole_count();
-    const std::size_t nv = spline.v.pole_count();
-    const std::size_t rows = along_u ? nv : nu;
-    const std::size_t between = along_u ? 1 : nv;
-    const std::size_t step = along_u ? nv : 1;
-    double moved = 0.0;
-    for (std::size_t k = 0; k < rows; ++k)
+public:
+    Rows(TensorSpline &spline, bool along_u, bool at_end) : m_poles(spline.poles), m_at_end(at_end)
     {
-        const std::optional<double> here =
-            close_row(spline.poles, (at_end ? rows - 1 - k : k) * between, step, along_u ? nu : nv, near);
-        if (!here)
-            break;
-        moved = std::max(moved, *here);
+        const auto nu = static_cast<std::size_t>(spline.u.pole_count());
+        const auto nv = static_cast<std::size_t>(spline.v.pole_count());
+        m_rows = along_u ? nv : nu;
+        m_count = along_u ? nu : nv;
+        m_between = along_u ? 1 : nv;
+        m_step = along_u ? nv : 1;
+        m_degree = along_u ? spline.v.degree : spline.u.degree;
     }
-    return moved;
-}
 
-double close_sides(TensorSpline &spline, double near)
+    [[nodiscard]] std::size_t rows() const { return m_rows; }
+    //! Of the curves that leave the side.
+    [[nodiscard]] int degree() const { return m_degree; }
+
+    //! The largest distance of a row's points from a point [mm].
+    [[nodiscard]] double reach(std::size_t row, const Eigen::Vector3d &from) const
+    {
+        double reach = 0.0;
+        for (std::size_t k = 0; k < m_count; ++k)
+            reach = std::max(reach, (point_of(m_poles[index(row, k)]) - from).norm());
+        return reach;
+    }
+
+    [[nodiscard]] Eigen::Vector3d first(std::size_t row) const { return point_of(m_poles[index(row, 0)]); }
+
+    //! Moves a row's points to its first one.
+    void close(std::size_t row)
+    {
+        const Eigen::Vector3d meant = first(row);
+        for (std::size_t k = 0; k < m_count; ++k)
+            m_poles[index(row, k)].head<3>() = m_poles[index(row, k)].w() * meant;
+    }
+
+private:
+    [[nodiscard]] std::size_t index(std::size_t row, std::size_t k) const
+    {
+        return (m_at_end ? m_rows - 1 - row : row) * m_between + k * m_step;
+    }
+
+    std::vector<Eigen::Vector4d> &m_poles;
+    bool m_at_end;
+    std::size_t m_rows, m_count, m_between, m_step;
+    int m_degree;
+};
+
+//! Closes a side that is meant to be a point, and the rows behind it that are points as well. At the part s of the way to
+//! the first row with a width, that width counts with s^n for n closed rows, against which their misses turn the normal.
+//! \return how far the surface, and by its normals an offset, has moved [mm].
+double close_side(Rows rows, double near, double distance, double tolerance)
 {
-    double moved = 0.0;
-    for (const bool along_u : {true, false})
-        for (const bool at_end : {false, true})
-            moved += close_side(spline, along_u, at_end, near);
-    return moved;
+    constexpr double share = 0.01; // of the tolerance, by which the turned normals may move the offset
+    std::size_t closed = 0;
+    double missed = 0.0;
+    for (; closed < rows.rows(); ++closed)
+    {
+        const double miss = rows.reach(closed, rows.first(closed));
+        if (!(miss <= near))
+            break;
+        missed = std::max(missed, miss);
+    }
+    if (missed == 0.0 || closed == rows.rows())
+        return 0.0;
+    const double width = rows.reach(closed, rows.first(closed));
+    const double turned = 4.0 * missed * std::abs(distance) / (share * tolerance * width);
+    const double part = std::pow(turned, 1.0 / static_cast<double>(closed));
+    if (!(part * rows.degree() * rows.reach(closed, rows.first(0)) <= tolerance))
+        return 0.0;
+    for (std::size_t row = 0; row < closed; ++row)
+        rows.close(row);
+    return missed + share * tolerance;
 }
 
 //! With P the points and w (1 + e) the weights, S - S* = sum e_ij B_ij (P_ij - S*) / (1 + sum e_ij B_ij), whose size is at most
@@ -72,19 +103,23 @@ UndoneRounding even_weights(TensorSpline &spline, double extent)
         pole << point_of(pole), 1.0;
     spline.rational = false;
     // the net is no longer than twice its largest coordinates' diagonal, in each of the two terms of a derivative
-    const double share = 2.0 * std::sqrt(3.0) * difference;
-    return {share * extent, 2.0 * share / std::numeric_limits<double>::epsilon()};
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    constexpr double division = 2.0; // roundings of a pole
+    const double share = 2.0 * std::sqrt(3.0) * difference + division * epsilon;
+    return {share * extent, 2.0 * share / epsilon};
 }
 
 } // namespace
 
-UndoneRounding undo_rounding(TensorSpline &spline)
+UndoneRounding undo_rounding(TensorSpline &spline, double distance, double tolerance)
 {
     double extent = 0.0;
     for (const Eigen::Vector4d &pole : spline.poles)
         extent = std::max(extent, point_of(pole).cwiseAbs().maxCoeff());
     UndoneRounding undone = even_weights(spline, extent);
-    undone.moved += close_sides(spline, meant_as_point * extent);
+    for (const bool along_u : {true, false})
+        for (const bool at_end : {false, true})
+            undone.moved += close_side({spline, along_u, at_end}, meant_as_point * extent, distance, tolerance);
     return undone;
 }
 

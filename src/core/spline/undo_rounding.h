@@ -11,21 +11,23 @@ namespace laminate_offset
 {
 
 //! Weights that differ relatively by no more than this are one constant.
-inline constexpr double one_weight = 1e-12;
+inline constexpr double one_weight = 1e-13;
 
-//! A side whose poles miss each other by no more than this part of their largest coordinate is meant to be a point.
-inline constexpr double meant_as_point = 1e-12;
+//! A side whose poles miss each other by no more than this part of their largest coordinate is meant to be a point: 32 roundings.
+inline constexpr double meant_as_point = 7.2e-15;
 
 //! How far the surface as it is meant is from the one that was given.
 struct UndoneRounding
 {
-    double moved = 0.0; //!< bound of the distance at equal parameters [mm]
-    double operations =
-        0.0; //!< see CertificateRequest::base_operations; of the weights alone: a tip is what it is meant to be
+    double moved = 0.0; //!< bound at equal parameters [mm]; of an offset, too, but nearer to a tip than the tolerance
+    double operations = 0.0; //!< see CertificateRequest::base_operations; of the weights alone
 };
 
 //! Makes weights that are one constant 1, and points of the sides that are meant to be some, with the rows behind them that
-//! are points as well (a cusp).
-UndoneRounding undo_rounding(TensorSpline &spline);
+//! are points as well (a cusp). The given surface's normals turn with its last digits near such a tip; a side is left
+//! alone where that may move an offset by a hundredth of the tolerance, which is counted, farther from the tip than the tolerance.
+//! \param distance of the offset [mm].
+//! \param tolerance of the offset [mm].
+UndoneRounding undo_rounding(TensorSpline &spline, double distance, double tolerance);
 
 } // namespace laminate_offset

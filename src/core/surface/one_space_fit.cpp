@@ -23,7 +23,7 @@ namespace
 // tolerance; the measured error then says by how much to move.
 constexpr double first_direction_share = 0.55;
 constexpr int most_rounds = 8;
-// Rounds that leave more than this part of the error: rounding, on spans too narrow for the size of the face, keeps the proof
+// Proofs that leave more than this part of the least bound before: rounding, on spans too narrow for the size of the face, keeps the proof
 // from coming any closer.
 constexpr double in_vain = 0.95;
 constexpr int most_rounds_in_vain = 2;
@@ -167,7 +167,8 @@ public:
         for (const double distance : m_request.distances)
             left = std::min(left, m_request.tolerance - m_base.model_error().of_offset(distance));
         double share = first_direction_share;
-        int rounds_in_vain = 0;
+        int rounds_in_vain = 0; // of those that came to a proof
+        double least_bound = infinity;
         std::optional<FitSpace> space_before;
         for (int round = 0; left > 0.0 && round < most_rounds; ++round)
         {
@@ -191,7 +192,11 @@ public:
             const ErrorAt worst = worth_proving ? proven_error(*attempt) : attempt->seen;
             if (worst.error <= m_request.tolerance)
                 return std::move(attempt->fit);
-            rounds_in_vain = m_closest && worst.error > in_vain * m_closest->error ? rounds_in_vain + 1 : 0;
+            if (worth_proving)
+            {
+                rounds_in_vain = worst.error > in_vain * least_bound ? rounds_in_vain + 1 : 0;
+                least_bound = std::min(least_bound, worst.error);
+            }
             if (!m_closest || worst.error < m_closest->error)
                 m_closest = worst;
             if (rounds_in_vain >= most_rounds_in_vain)
