@@ -81,13 +81,14 @@ double close_side(Rows rows, double near, double distance, double tolerance)
     if (missed == 0.0 || closed == rows.rows())
         return 0.0;
     const double width = rows.reach(closed, rows.first(closed));
-    const double turned = 4.0 * missed * std::abs(distance) / (share * tolerance * width);
-    const double part = std::pow(turned, 1.0 / static_cast<double>(closed));
-    if (!(part * rows.degree() * rows.reach(closed, rows.first(0)) <= tolerance))
+    const double length = rows.degree() * rows.reach(closed, rows.first(0));
+    const double part = std::min(1.0, tolerance / length); // of the way, from which on all is as it is meant
+    const double turned = 4.0 * missed * std::abs(distance) / (width * std::pow(part, static_cast<double>(closed)));
+    if (!(turned <= share * tolerance))
         return 0.0;
     for (std::size_t row = 0; row < closed; ++row)
         rows.close(row);
-    return missed + share * tolerance;
+    return missed + turned;
 }
 
 //! With P the points and w (1 + e) the weights, S - S* = sum e_ij B_ij (P_ij - S*) / (1 + sum e_ij B_ij), whose size is at most

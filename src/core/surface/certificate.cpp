@@ -27,7 +27,7 @@ constexpr int geometric_depth = 24;
 // Rectangles that one piece may be cut into. One that needs more waves about its target, or about a distance that is smaller
 // still: a closer fit is proven sooner (34 s of proofs became 2 s).
 constexpr int most_steps = 400;
-// A border row of S_u x S_v this small against its largest coefficient is a collapsed side.
+// A border row of S_u x S_v this small against its largest coefficient is zero where the side vanishes by its poles.
 constexpr double collapsed = 1e-11;
 // Rounding: coefficients of a piece are sums of some 10 products each in extraction and subtraction, halved
 // up to geometric_depth times with two roundings a degree; products of pieces are sums of some 100. The oracle
@@ -40,6 +40,12 @@ constexpr double operations_per_degree = 12.0;
 constexpr double product_operations = 512.0;
 constexpr double usual_terms = 64.0; // pieces of higher degrees than 7 have more
 
+//! Something of the four sides of a rectangle, in the order of Bernstein::Border.
+using Sides = std::array<bool, 4>;
+
+constexpr Bernstein::Border borders[] = {Bernstein::Border::LowU, Bernstein::Border::HighU, Bernstein::Border::LowV,
+                                         Bernstein::Border::HighV};
+
 //! The pieces of base and offset on one rectangle, in coordinates relative to a near point.
 struct Piece
 {
@@ -50,6 +56,7 @@ struct Piece
     double local = 0.0;        //!< longest coefficient of the base's numerator after it
     PieceReach reach;          //!< of the base's poles
     double poles = 0.0;        //!< largest coordinate of them all
+    Sides vanishing{};         //!< where S_u x S_v is zero by the poles of a side of the base
     double weight_gap = 0.0;   //!< bound of the offset's own weight function minus the base's
 
     [[nodiscard]] const Bernstein &omega() const { return base.omega; }
@@ -144,6 +151,7 @@ private:
         const bool along_u = changes_more_along_u(piece.base.numerator);
         piece.base.halve(along_u, upper.base);
         piece.offset.halve(along_u, upper.offset);
+        piece.vanishing[along_u ? 1 : 3] = upper.vanishing[along_u ? 0 : 2] = false; // where they meet
         // the worse half first: where the piece fails, that shows soonest
         if ((along_u ? corners.row(1).maxCoeff() > corners.row(0).maxCoeff()
                      : corners.col(1).maxCoeff() > corners.col(0).maxCoeff()))
@@ -200,7 +208,8 @@ private:
         Frame frame;
         frame.general = general;
         Scalars &scalars = m_scalars[0];
-        const bool usable = general ? general_form(frame, scalars) : simple_form(piece, weights, frame, scalars);
+        const bool usable =
+            general ? general_form(piece.vanishing, frame, scalars) : simple_form(piece, weights, frame, scalars);
         if (!usable)
             return infinity;
         square_of_difference(piece, scalars);
@@ -300,17 +309,16 @@ private:
     }
 
     //! W x M and M.M, where M is the normal with its zeros on borders divided out.
-    bool general_form(Frame &frame, Scalars &scalars)
+    bool general_form(const Sides &vanishing, Frame &frame, Scalars &scalars)
     {
         m_divided = m_tangents.normal();
         const double size = longest(m_divided);
         if (!(size > 0.0))
             return false;
-        for (const auto border :
-             {Bernstein::Border::LowU, Bernstein::Border::HighU, Bernstein::Border::LowV, Bernstein::Border::HighV})
-            while (collapses(border, size))
+        for (std::size_t side = 0; side < vanishing.size(); ++side)
+            while (vanishing[side] && collapses(borders[side], size))
                 for (Bernstein &component : m_divided)
-                    component.divide(border);
+                    component.divide(borders[side]);
         const double unit = 1.0 / longest(m_divided);
         frame.slope_u = longest(m_tangents.derivative_v().numerator) * unit;
         frame.slope_v = longest(m_tangents.derivative_u().numerator) * unit;
@@ -493,13 +501,41 @@ double largest_coordinate(const TensorSpline &spline)
     return largest;
 }
 
+//! Is a side of the spline a point, or does its derivative across vanish all along it? So the poles say themselves: what is
+//! nearly so leaves normals that turn, and has to be proven like any other.
+bool vanishes(const TensorSpline &spline, bool along_u, bool at_end)
+{
+    const int rows = (along_u ? spline.v : spline.u).pole_count();
+    const int count = (along_u ? spline.u : spline.v).pole_count();
+    const auto point = [&](int row, int k) -> Eigen::Vector3d {
+        const int at = at_end ? rows - 1 - row : row;
+        const Eigen::Vector4d &pole = along_u ? spline.pole(k, at) : spline.pole(at, k);
+        return pole.head<3>() / pole.w();
+    };
+    const double same = spline.rational ? 8.0 * epsilon * largest_coordinate(spline) : 0.0; // roundings of the quotient
+    bool one_point = true;
+    bool still = true;
+    for (int k = 0; k < count && (one_point || still); ++k)
+    {
+        one_point = one_point && (point(0, k) - point(0, 0)).cwiseAbs().maxCoeff() <= same;
+        still = still && (point(0, k) - point(1, k)).cwiseAbs().maxCoeff() <= same;
+    }
+    return one_point || still;
+}
+
+Sides vanishing_sides(const TensorSpline &base)
+{
+    return {vanishes(base, false, false), vanishes(base, false, true), vanishes(base, true, false),
+            vanishes(base, true, true)};
+}
+
 //! Cuts both splines along their merged knots.
 class PairCutter
 {
 public:
     explicit PairCutter(const CertificateRequest &request)
         : m_rational_base(request.base.rational), m_rational_offset(request.offset.rational),
-          m_poles(largest_coordinate(request.base)),
+          m_poles(largest_coordinate(request.base)), m_vanishing(vanishing_sides(request.base)),
           m_us(merged_breaks(request.base.u.breaks(), request.offset.u.breaks())),
           m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())), m_base(request.base, m_us, m_vs),
           m_offset(request.offset, m_us, m_vs)
@@ -523,6 +559,8 @@ public:
         piece.local = longest(piece.base.numerator);
         piece.reach = m_base.reach();
         piece.poles = m_poles;
+        piece.vanishing = {m_vanishing[0] && i == 0, m_vanishing[1] && i + 1 == count_u(), m_vanishing[2] && j == 0,
+                           m_vanishing[3] && j + 1 == count_v()};
         m_offset.cut(i, j, origin, piece.offset);
         piece.weight_gap = m_rational_offset ? gap(piece) : 0.0;
     }
@@ -542,6 +580,7 @@ private:
     bool m_rational_base;
     bool m_rational_offset;
     double m_poles;
+    Sides m_vanishing;
     std::vector<double> m_us;
     std::vector<double> m_vs;
     SplinePieces m_base;
