@@ -315,13 +315,17 @@ private:
         const double size = longest(m_divided);
         if (!(size > 0.0))
             return false;
+        double growth = 1.0; // of an error: a coefficient is divided by (i + 1) / degree
         for (std::size_t side = 0; side < vanishing.size(); ++side)
             while (vanishing[side] && collapses(borders[side], size))
+            {
+                growth *= side < 2 ? m_divided[0].degree_u() : m_divided[0].degree_v();
                 for (Bernstein &component : m_divided)
                     component.divide(borders[side]);
+            }
         const double unit = 1.0 / longest(m_divided);
-        frame.slope_u = longest(m_tangents.derivative_v().numerator) * unit;
-        frame.slope_v = longest(m_tangents.derivative_u().numerator) * unit;
+        frame.slope_u = growth * longest(m_tangents.derivative_v().numerator) * unit;
+        frame.slope_v = growth * longest(m_tangents.derivative_u().numerator) * unit;
         for (Bernstein &component : m_divided)
             component.scale(unit);
         for (Bernstein *component : {&scalars.b, &scalars.c, &scalars.third})
