@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's hands and eyes inside FreeCAD: select, press, type, look."""
 
+import gc
 import importlib
 import os
 from typing import Any, Callable, List, Tuple
@@ -75,9 +76,22 @@ def edit(obj: Any) -> None:
     pump(300)
 
 
+def shown(kind: type = QtGui.QWidget, name: str = "", class_name: str = "") -> List[Any]:
+    """The visible widgets of a kind, with an object name or a class of Qt where one is given."""
+    children = Gui.getMainWindow().findChildren
+    found = []
+    for one in children(kind, name) if name else children(kind):
+        try:
+            if one.isVisible() and class_name in ("", one.metaObject().className()):
+                found.append(one)
+        except RuntimeError:  # Python's side of a widget that FreeCAD has deleted
+            continue
+    return found
+
+
 def widget(name: str, kind: type = QtGui.QWidget) -> Any:
     """The visible widget with an object name."""
-    found = [w for w in Gui.getMainWindow().findChildren(kind, name) if w.isVisible()]
+    found = shown(kind, name)
     assert len(found) == 1, f"{len(found)} visible widgets are named {name}"
     return found[0]
 
@@ -103,7 +117,7 @@ def click(name: str) -> None:
 
 def press(role: Any) -> None:
     """Presses OK or Cancel of the task panel."""
-    boxes = [box for box in Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox) if box.isVisible()]
+    boxes = shown(QtGui.QDialogButtonBox)
     assert len(boxes) == 1, f"{len(boxes)} button boxes are visible"
     QTest.mouseClick(boxes[0].button(role), QtCore.Qt.LeftButton)
     pump(400)
@@ -162,11 +176,13 @@ def count_colours(image: Any, step: int = 5) -> int:
 
 def centre_of_view() -> Tuple[Any, Any]:
     """The visible OpenGL widget and its centre, for mouse events."""
-    canvases = [
-        w
-        for w in Gui.getMainWindow().findChildren(QtGui.QWidget)
-        if w.isVisible() and w.metaObject().className() == "QOpenGLWidget"
-    ]
+    canvases = shown(class_name="QOpenGLWidget")
+    for _ in range(20):  # a new view may stand where Python still sees a deleted one
+        if canvases:
+            break
+        gc.collect()
+        pump(100)
+        canvases = shown(class_name="QOpenGLWidget")
     assert len(canvases) == 1, f"{len(canvases)} 3-D views are visible"
     return canvases[0], QtCore.QPoint(canvases[0].width() // 2, canvases[0].height() // 2)
 

@@ -23,6 +23,7 @@ from session import (
     result_text,
     run_command,
     screenshot,
+    shown,
     start,
     wait_until,
     widget,
@@ -63,7 +64,7 @@ def finish(button) -> None:
 
 def said() -> str:
     """What the panel's last line says, if there is a panel."""
-    labels = [label for label in Gui.getMainWindow().findChildren(QtGui.QLabel, "result") if label.isVisible()]
+    labels = shown(QtGui.QLabel, "result")
     return labels[0].text() if labels else ""
 
 
