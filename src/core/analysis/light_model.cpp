@@ -440,7 +440,8 @@ public:
             model->rounding += m_base_rounding;
             ModelError error = m_bounds.error(*model);
             if (!with_curvature)
-                with_curvature = curvature_of_rounding(*model) <= curvature_allowance;
+                with_curvature =
+                    error.curvature <= curvature_allowance || curvature_of_rounding(*model) <= curvature_allowance;
             if (!*with_curvature)
                 error.curvature = std::numeric_limits<double>::infinity();
             const double room = std::min(allowance / error.of_offset(m_distance),
