@@ -4,6 +4,7 @@
 #include "support/deviation.h"
 #include "support/offset_oracle.h"
 #include "support/offsets.h"
+#include "support/parameters.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -127,15 +128,7 @@ Spline with_higher_degree(const Spline &surface)
 Spline with_other_parameters(const Spline &surface)
 {
     const Spline s = copy_of(surface);
-    TColStd_Array1OfReal u(1, s->NbUKnots()), v(1, s->NbVKnots());
-    s->UKnots(u);
-    s->VKnots(v);
-    for (double &knot : u)
-        knot = 3.0 + 7.0 * knot;
-    for (double &knot : v)
-        knot = -20.0 + 0.3 * knot;
-    s->SetUKnots(u);
-    s->SetVKnots(v);
+    move_parameters(s, 3.0, 7.0, -20.0, 0.3);
     return s;
 }
 

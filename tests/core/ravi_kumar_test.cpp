@@ -4,6 +4,7 @@
 #include "support/data_files.h"
 #include "support/offset_oracle.h"
 #include "support/offsets.h"
+#include "support/parameters.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -568,13 +569,7 @@ TEST(RaviKumar, ExtendsTheSurfaceUnderLoopsAlongItsBorder)
 TEST(RaviKumar, ExtendsTheSurfaceWhereverTheParametersOfTheBaseBegin)
 {
     const Handle(Geom_BSplineSurface) moved = hills();
-    TColStd_Array1OfReal u = moved->UKnots(), v = moved->VKnots();
-    for (Standard_Real &knot : u)
-        knot = 1e4 + 800.0 * knot;
-    for (Standard_Real &knot : v)
-        knot = -1e4 + 500.0 * knot;
-    moved->SetUKnots(u);
-    moved->SetVKnots(v);
+    move_parameters(moved, 1e4, 800.0, -1e4, 500.0);
     for (const double distance : {-30.0, 30.0})
     {
         SCOPED_TRACE(testing::Message() << "distance " << distance);

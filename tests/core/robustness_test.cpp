@@ -3,6 +3,7 @@
 // tolerances of the input larger than the user's.
 #include "support/deviation.h"
 #include "support/offsets.h"
+#include "support/parameters.h"
 #include "support/random_cases.h"
 #include "support/sample_faces.h"
 
@@ -13,7 +14,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
@@ -63,15 +63,7 @@ int poles(const OffsetReport &report) { return report.surface ? report.surface->
 
 void rescale_knots(const Handle(Geom_BSplineSurface) & surface, double u_range, double v_range)
 {
-    TColStd_Array1OfReal u(1, surface->NbUKnots()), v(1, surface->NbVKnots());
-    surface->UKnots(u);
-    surface->VKnots(v);
-    for (double &t : u)
-        t = -3.0 * u_range + u_range * t;
-    for (double &t : v)
-        t = 7.0 * v_range + v_range * t;
-    surface->SetUKnots(u);
-    surface->SetVKnots(v);
+    move_parameters(surface, -3.0 * u_range, u_range, 7.0 * v_range, v_range);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "curvature.h"
 
 #include "../spline/data_reduction.h"
+#include "../spline/undo_rounding.h"
 
 #include <Eigen/Geometry>
 
@@ -397,14 +398,6 @@ double extent(const TensorSpline &spline)
     for (const Eigen::Vector4d &pole : spline.poles)
         hull.extend(Eigen::Vector3d(pole.head<3>()));
     return hull.sizes().norm();
-}
-
-double largest_coordinate(const TensorSpline &spline)
-{
-    double largest = 0.0;
-    for (const Eigen::Vector4d &pole : spline.poles)
-        largest = std::max(largest, pole.head<3>().cwiseAbs().maxCoeff());
-    return largest;
 }
 
 std::size_t spans(const TensorSpline &spline)

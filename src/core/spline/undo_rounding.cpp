@@ -112,11 +112,17 @@ UndoneRounding even_weights(TensorSpline &spline, double extent)
 
 } // namespace
 
+double largest_coordinate(const TensorSpline &spline)
+{
+    double largest = 0.0;
+    for (const Eigen::Vector4d &pole : spline.poles)
+        largest = std::max(largest, point_of(pole).cwiseAbs().maxCoeff());
+    return largest;
+}
+
 UndoneRounding undo_rounding(TensorSpline &spline, double distance, double tolerance)
 {
-    double extent = 0.0;
-    for (const Eigen::Vector4d &pole : spline.poles)
-        extent = std::max(extent, point_of(pole).cwiseAbs().maxCoeff());
+    const double extent = largest_coordinate(spline);
     UndoneRounding undone = even_weights(spline, extent);
     for (const bool along_u : {true, false})
         for (const bool at_end : {false, true})

@@ -23,6 +23,9 @@ struct UndoneRounding
     double operations = 0.0; //!< see CertificateRequest::base_operations; of the weights alone
 };
 
+//! The largest coordinate of all poles, with which their rounding goes [mm].
+double largest_coordinate(const TensorSpline &spline);
+
 //! Makes weights that are one constant 1, and points of the sides that are meant to be some, with the rows behind them that
 //! are points as well (a cusp). The given surface's normals turn with its last digits near such a tip; a side is left
 //! alone where that may move an offset by a hundredth of the tolerance, which is counted, farther from the tip than the tolerance.

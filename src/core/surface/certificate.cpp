@@ -2,6 +2,7 @@
 #include "certificate.h"
 
 #include "../spline/piece_tangents.h"
+#include "../spline/undo_rounding.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -497,17 +498,10 @@ private:
     Scalars m_spare;
 };
 
-double largest_coordinate(const TensorSpline &spline)
-{
-    double largest = 0.0;
-    for (const Eigen::Vector4d &pole : spline.poles)
-        largest = std::max(largest, pole.head<3>().cwiseAbs().maxCoeff() / pole.w());
-    return largest;
-}
-
 //! Is a side of the spline a point, or does its derivative across vanish all along it? So the poles say themselves: what is
 //! nearly so leaves normals that turn, and has to be proven like any other.
-bool vanishes(const TensorSpline &spline, bool along_u, bool at_end)
+//! \param same [mm] coordinates that differ by no more are equal.
+bool vanishes(const TensorSpline &spline, bool along_u, bool at_end, double same)
 {
     const int rows = (along_u ? spline.v : spline.u).pole_count();
     const int count = (along_u ? spline.u : spline.v).pole_count();
@@ -516,7 +510,6 @@ bool vanishes(const TensorSpline &spline, bool along_u, bool at_end)
         const Eigen::Vector4d &pole = along_u ? spline.pole(k, at) : spline.pole(at, k);
         return pole.head<3>() / pole.w();
     };
-    const double same = spline.rational ? 8.0 * epsilon * largest_coordinate(spline) : 0.0; // roundings of the quotient
     bool one_point = true;
     bool still = true;
     for (int k = 0; k < count && (one_point || still); ++k)
@@ -527,10 +520,12 @@ bool vanishes(const TensorSpline &spline, bool along_u, bool at_end)
     return one_point || still;
 }
 
-Sides vanishing_sides(const TensorSpline &base)
+//! \param largest coordinate of the base.
+Sides vanishing_sides(const TensorSpline &base, double largest)
 {
-    return {vanishes(base, false, false), vanishes(base, false, true), vanishes(base, true, false),
-            vanishes(base, true, true)};
+    const double same = base.rational ? 8.0 * epsilon * largest : 0.0; // roundings of a quotient
+    return {vanishes(base, false, false, same), vanishes(base, false, true, same), vanishes(base, true, false, same),
+            vanishes(base, true, true, same)};
 }
 
 //! Cuts both splines along their merged knots.
@@ -539,7 +534,7 @@ class PairCutter
 public:
     explicit PairCutter(const CertificateRequest &request)
         : m_rational_base(request.base.rational), m_rational_offset(request.offset.rational),
-          m_poles(largest_coordinate(request.base)), m_vanishing(vanishing_sides(request.base)),
+          m_poles(largest_coordinate(request.base)), m_vanishing(vanishing_sides(request.base, m_poles)),
           m_us(merged_breaks(request.base.u.breaks(), request.offset.u.breaks())),
           m_vs(merged_breaks(request.base.v.breaks(), request.offset.v.breaks())), m_base(request.base, m_us, m_vs),
           m_offset(request.offset, m_us, m_vs)
